@@ -1,0 +1,1 @@
+"""Evaluation harness: scenes, runs, metrics, reports. Runs from the checkout."""

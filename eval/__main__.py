@@ -1,0 +1,48 @@
+"""``python -m eval``: reports on a scene."""
+
+import argparse
+import sys
+import warnings
+from pathlib import Path
+
+from eval.bench import bench
+from eval.lambda_report import lambda_report
+from eval.report import REPORTS
+from eval.scenes import BUNDLED, load_scene
+from eval.schedules_report import schedules_report
+from stylit_ref import InputError
+
+
+def main(arguments=None):
+    """Write one of the reports; returns the exit code."""
+    parser = argparse.ArgumentParser(prog="python -m eval", description=__doc__)
+    parser.add_argument("report", choices=("lambda", "schedules", "bench"))
+    parser.add_argument("--scene", default=BUNDLED, help="folder of a scene (default: bundled)")
+    parser.add_argument("--step", type=int, default=1, help="keep every STEPth pixel (default 1)")
+    parser.add_argument("--seeds", type=int, nargs="+", default=[0], help="default: 0")
+    parser.add_argument("--ebsynth", help="binary to measure beside, for the bench")
+    parser.add_argument("--output", type=Path, help="folder (default: reports/REPORT_SCENE_SIZE)")
+    options = parser.parse_args(arguments)
+    warnings.showwarning = lambda message, *_: print(f"note: {message}", file=sys.stderr)
+    try:
+        scene = load_scene(options.scene, options.step)
+        folder = options.output or REPORTS / f"{options.report}_{scene.name}_{scene.size}"
+        if options.report == "lambda":
+            lambda_report(scene, folder, options.seeds[0])
+        elif options.report == "schedules":
+            schedules_report(scene, folder, options.seeds)
+        else:
+            bench(scene, folder, options.ebsynth)
+    except InputError as error:
+        print(f"eval: {error}", file=sys.stderr)
+        return 2
+    except KeyboardInterrupt:
+        print("eval: interrupted; finished runs are kept and not computed again", file=sys.stderr)
+        return 130
+    print((folder / "report.md").read_text(encoding="utf-8"))
+    print(f"Written: {folder / 'report.html'}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

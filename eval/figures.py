@@ -1,0 +1,70 @@
+"""Pictures side by side, each with a zoom-in at the same place."""
+
+from matplotlib.figure import Figure
+from matplotlib.patches import Rectangle
+
+
+def comparison(file, rows, zoom):
+    """Save rows of images, each row followed by its zoom-ins.
+
+    Parameters
+    ----------
+    file : Path
+    rows : list of list of (str, (H, W, n) array)
+        Titles and images.
+    zoom : tuple of 4 float
+        Top, left, height and width of the zoom-in, as shares of the image.
+    """
+    columns = max(len(row) for row in rows)
+    height, width = rows[0][-1][1].shape[:2]
+    figure = Figure(
+        figsize=(3.2 * columns, 2 * len(rows) * (3.2 * height / width) + 0.5),
+        layout="constrained",
+    )
+    axes = figure.subplots(2 * len(rows), columns, squeeze=False)
+    for place in axes.flat:
+        place.axis("off")
+    for k, row in enumerate(rows):
+        for column, (title, image) in enumerate(row):
+            top, left = int(zoom[0] * image.shape[0]), int(zoom[1] * image.shape[1])
+            bottom, right = (
+                top + int(zoom[2] * image.shape[0]),
+                left + int(zoom[3] * image.shape[1]),
+            )
+            cmap = "gray" if image.shape[2] == 1 else None
+            image = image[:, :, 0] if cmap else image
+            axes[2 * k, column].imshow(image, cmap=cmap, interpolation="none")
+            axes[2 * k, column].set_title(title, fontsize=11)
+            axes[2 * k, column].add_patch(
+                Rectangle((left, top), right - left, bottom - top, fill=False, color="lime")
+            )
+            axes[2 * k + 1, column].imshow(
+                image[top:bottom, left:right], cmap=cmap, interpolation="nearest"
+            )
+    figure.savefig(file, dpi=150)
+
+
+def detailed_window(weights, share=0.25):
+    """Where an image is most detailed: top and left of a window, as shares.
+
+    Parameters
+    ----------
+    weights : (H, W) array
+    share : float
+        Side of the window over the image's.
+
+    Returns
+    -------
+    tuple of 4 float
+        Top, left, height, width.
+    """
+    best = max(
+        ((top / 20, left / 20) for top in range(1, 14) for left in range(1, 14)),
+        key=lambda corner: weights[_window(weights.shape, *corner, share)].mean(),
+    )
+    return (*best, share, share)
+
+
+def _window(shape, top, left, share):
+    y, x = int(top * shape[0]), int(left * shape[1])
+    return slice(y, y + int(share * shape[0])), slice(x, x + int(share * shape[1]))

@@ -1,0 +1,108 @@
+"""Runs and their stored results: what is computed once is not computed again."""
+
+import hashlib
+import json
+import time
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+import numpy as np
+
+import stylit_ref
+from eval.scenes import Scene
+from stylit_ref import Params, stylize
+
+STORE = Path("build/runs")
+
+
+@dataclass(frozen=True)
+class Run:
+    """A stored stylization.
+
+    Attributes
+    ----------
+    image, nnf, omega : array
+    seconds : float
+        Wall time of ``stylize`` with the kernels compiled before.
+    delta, penalization : float
+        Mean δ and λρ when the last PatchMatch iteration ended.
+    """
+
+    image: np.ndarray
+    nnf: np.ndarray
+    omega: np.ndarray
+    seconds: float
+    delta: float
+    penalization: float
+
+
+def library_digest():
+    """Identifies the library's source, on which every result depends."""
+    digest = hashlib.sha256()
+    for file in sorted(Path(stylit_ref.__file__).parent.rglob("*.py")):
+        digest.update(file.read_bytes())
+    return digest.hexdigest()
+
+
+def run(scene: Scene, params: Params, seed: int, progress=None) -> Run:
+    """Stylize a scene, or read the result of having done so.
+
+    Parameters
+    ----------
+    scene : Scene
+    params : Params
+    seed : int
+    progress : callable, optional
+        As for :func:`stylit_ref.stylize`.
+
+    Returns
+    -------
+    Run
+    """
+    key = json.dumps([scene.digest, asdict(params), seed, library_digest()])
+    file = STORE / f"{hashlib.sha256(key.encode()).hexdigest()[:24]}.npz"
+    if not file.exists():
+        compile_kernels(scene, params)
+        start = time.perf_counter()
+        result = stylize(
+            scene.style,
+            scene.source_guides,
+            scene.target_guides,
+            params,
+            seed=seed,
+            progress=progress,
+        )
+        seconds = time.perf_counter() - start
+        last = result.history[-1]
+        STORE.mkdir(parents=True, exist_ok=True)
+        partial = file.with_suffix(".partial.npz")
+        np.savez_compressed(
+            partial,
+            image=result.image,
+            nnf=result.nnf,
+            omega=result.omega,
+            seconds=seconds,
+            delta=last.delta,
+            penalization=last.penalization,
+        )
+        partial.rename(file)
+    with np.load(file) as stored:
+        return Run(
+            stored["image"],
+            stored["nnf"],
+            stored["omega"],
+            float(stored["seconds"]),
+            float(stored["delta"]),
+            float(stored["penalization"]),
+        )
+
+
+def compile_kernels(scene, params):
+    """Run the same kernels on a corner of the scene, so that timings hold no compilation."""
+    corner = np.s_[: 4 * params.patch_width, : 4 * params.patch_width]
+    stylize(
+        scene.style[corner],
+        [guide[corner] for guide in scene.source_guides],
+        [guide[corner] for guide in scene.target_guides],
+        Params(**(asdict(params) | {"levels": 2, "votes": 1, "patchmatch_iterations": 1})),
+    )

@@ -1,0 +1,1 @@
+"""The passes as CUDA kernels, file for file. No kernels yet."""

@@ -1,0 +1,224 @@
+"""``stylit-ref``: stylize images from the command line."""
+
+import argparse
+import sys
+import warnings
+from pathlib import Path
+
+import numpy as np
+from tqdm import tqdm
+
+from stylit_ref import __version__
+from stylit_ref.errors import InputError
+from stylit_ref.image_io import check_image_writable, read_image, read_uint8, write_image
+from stylit_ref.output_file import check_writable, whole_file
+from stylit_ref.params import Params
+from stylit_ref.replaying import replay
+from stylit_ref.stylization import stylize
+
+DEFAULTS = Params()
+
+
+def command():
+    """Entry point of ``stylit-ref``."""
+    sys.exit(main())
+
+
+def main(arguments=None):
+    """Run the command line; returns the exit code.
+
+    0 on success, 2 for input that cannot be used, 130 when interrupted.
+    """
+    options = _parser().parse_args(arguments)
+    warnings.showwarning = lambda message, *_: print(f"note: {message}", file=sys.stderr)
+    try:
+        options.command(options)
+    except InputError as error:
+        print(f"stylit-ref: {error}", file=sys.stderr)
+        return 2
+    except KeyboardInterrupt:
+        print("stylit-ref: interrupted, nothing written", file=sys.stderr)
+        return 130
+    return 0
+
+
+class _Weigh(argparse.Action):
+    """``--weight`` belongs to the ``--guide`` before it."""
+
+    def __call__(self, parser, options, value, option_string=None):
+        if not options.guide:
+            parser.error(f"{option_string} {value:g}: must follow the --guide it weighs")
+        options.weights = {**options.weights, len(options.guide) - 1: value}
+
+
+def _parser():
+    parser = argparse.ArgumentParser(
+        prog="stylit-ref",
+        description="Illumination-guided, example-based stylization of 3D renderings.",
+        allow_abbrev=False,
+    )
+    parser.add_argument("--version", action="version", version=f"stylit-ref {__version__}")
+    commands = parser.add_subparsers(required=True, metavar="{run,replay}")
+
+    run = commands.add_parser(
+        "run",
+        help="stylize a target as a style exemplar shows",
+        description="Stylize a target as a style exemplar shows. Images may be PNG, TIFF, JPEG, "
+        "EXR and others; FILE.exr:LAYER names a layer of a multilayer EXR.",
+        allow_abbrev=False,
+    )
+    run.set_defaults(command=_run, weights={})
+    files = run.add_argument_group("images")
+    files.add_argument("--style", required=True, metavar="IMAGE", help="style exemplar")
+    files.add_argument(
+        "--guide", nargs=2, action="append", required=True, metavar=("SOURCE", "TARGET"),
+        help="a render pass of the exemplar's scene and of the target; repeat for each",
+    )  # fmt: skip
+    files.add_argument(
+        "--weight", type=float, action=_Weigh, metavar="W",
+        help="weight of the guide before it among all guides (default 1)",
+    )  # fmt: skip
+    files.add_argument("--mask", metavar="IMAGE", help="target pixels to leave alone (white)")
+    files.add_argument(
+        "--fill", metavar="IMAGE", help="what masked pixels show (default: transparent)"
+    )
+    files.add_argument("--output", required=True, metavar="IMAGE", help="stylized image to write")
+    files.add_argument("--nnf", metavar="FILE.npy", help="write the nearest-neighbour field")
+    files.add_argument("--save-levels", metavar="DIR", help="write the image of every level")
+
+    method = run.add_argument_group("method (defaults of the thesis)")
+    for flag, name, kind, text in (
+        ("--uniformity", "uniformity", float, "λ, how evenly the style is used"),
+        ("--guide-influence", "guide_influence", float, "μ, weight of the guides"),
+        ("--patch-size", "patch_width", int, "patch width in pixels, odd"),
+        ("--pyramid-levels", "levels", int, "levels of the pyramid"),
+        ("--search-vote-iters", "votes", int, "search-vote iterations a level"),
+        ("--patchmatch-iters", "patchmatch_iterations", int, "PatchMatch iterations a vote"),
+        ("--schedule", "schedule", str, "propose_commit (parallel) or scanline (sequential)"),
+    ):
+        default = getattr(DEFAULTS, name)
+        method.add_argument(
+            flag, dest=name, type=kind, default=default, help=f"{text} (default {default})"
+        )
+    method.add_argument(
+        "--seed", type=int, default=0, help="same seed, same result (default %(default)s)"
+    )
+    run.add_argument("--threads", type=int, help="threads to use (default: all)")
+    run.add_argument("--quiet", action="store_true", help="no progress bar")
+
+    again = commands.add_parser(
+        "replay",
+        help="send another style image through a saved nearest-neighbour field",
+        description="Vote another style image of the same size, or an enlargement, through a "
+        "nearest-neighbour field saved by 'run --nnf', at the image's own bit depth.",
+        allow_abbrev=False,
+    )
+    again.set_defaults(command=_replay)
+    again.add_argument("--nnf", required=True, metavar="FILE.npy", help="nearest-neighbour field")
+    again.add_argument("--style", required=True, metavar="IMAGE", help="style image")
+    again.add_argument("--output", required=True, metavar="IMAGE", help="image to write")
+    again.add_argument(
+        "--patch-size", type=int, default=DEFAULTS.patch_width, dest="patch_width",
+        help="patch width of the run (default %(default)s)",
+    )  # fmt: skip
+    again.add_argument(
+        "--scale", type=int, default=1, help="how many times larger the style is (default 1)"
+    )
+    return parser
+
+
+def _run(options):
+    weights = tuple(options.weights.get(k, 1.0) for k in range(len(options.guide)))
+    params = Params(
+        patch_width=options.patch_width,
+        levels=options.levels,
+        votes=options.votes,
+        patchmatch_iterations=options.patchmatch_iterations,
+        uniformity=options.uniformity,
+        guide_influence=options.guide_influence,
+        guide_weights=weights,
+        schedule=options.schedule,
+    )
+    style = read_uint8(options.style)
+    source_guides = [read_uint8(source) for source, _ in options.guide]
+    target_guides = [read_uint8(target) for _, target in options.guide]
+    mask = fill = None
+    if options.mask:
+        mask = read_uint8(options.mask).mean(axis=2) >= 128
+    if options.fill:
+        if not options.mask:
+            raise InputError("--fill needs a --mask that says which pixels to fill")
+        fill = read_uint8(options.fill)
+
+    transparent = mask is not None and fill is None and style.shape[2] % 2
+    check_image_writable(options.output, style.shape[2] + bool(transparent))
+    if options.nnf:
+        _check_npy(options.nnf)
+    levels = Path(options.save_levels) if options.save_levels else None
+    if levels:
+        try:
+            levels.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise InputError(f"{levels}: cannot be made: {error.strerror}") from error
+        check_writable(levels / "level_1.png")
+
+    def save_level(level, image):
+        if levels:
+            write_image(levels / f"level_{level}.png", image)
+
+    with tqdm(total=1.0, disable=options.quiet or None, bar_format=_BAR, file=sys.stderr) as bar:
+
+        def show(step):
+            bar.set_description_str(
+                f"level {step.level}/{step.levels}  φ {step.delta + step.penalization:.0f} = "
+                f"δ {step.delta:.0f} + λρ {step.penalization:.0f}",
+                refresh=False,
+            )
+            bar.update(step.done - bar.n)
+
+        result = stylize(
+            style,
+            source_guides,
+            target_guides,
+            params,
+            seed=options.seed,
+            mask=mask,
+            fill=fill,
+            threads=options.threads,
+            progress=show,
+            on_level=save_level,
+        )
+    write_image(options.output, result.image)
+    if options.nnf:
+        _save_npy(options.nnf, result.nnf)
+
+
+def _replay(options):
+    style = read_image(options.style)
+    try:
+        nnf = np.load(options.nnf, allow_pickle=False)
+    except FileNotFoundError:
+        raise InputError(f"{options.nnf}: no such file") from None
+    except (OSError, ValueError, EOFError) as error:
+        raise InputError(f"{options.nnf}: is not a readable .npy file: {error}") from None
+    check_image_writable(options.output, style.shape[2])
+    image = replay(nnf, style, patch_width=options.patch_width, scale=options.scale)
+    write_image(options.output, image)
+
+
+_BAR = "{percentage:3.0f}% |{bar}| {elapsed}<{remaining}  {desc}"
+
+
+def _check_npy(path):
+    if Path(path).suffix != ".npy":
+        raise InputError(f"{path}: the nearest-neighbour field is written as .npy")
+    check_writable(path)
+
+
+def _save_npy(path, array):
+    with whole_file(path) as partial:
+        np.save(partial, array)
+
+
+if __name__ == "__main__":
+    command()

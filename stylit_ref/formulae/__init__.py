@@ -1,0 +1,1 @@
+"""One pixel or one patch each: the mathematics of the thesis as ``@njit`` functions."""

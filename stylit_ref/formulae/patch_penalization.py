@@ -1,0 +1,59 @@
+r"""Occurrence map Ω and patch penalization ρ (thesis 2.1, procedures of 3.2).
+
+Fixed point keeps the penalization exact: with
+:math:`W(Q) = \sum_{pixels\ of\ Q} \Omega = w^2 \omega(Q)`, the term of the metric is
+
+.. math:: \lambda \rho(Q) = \lambda \frac{\omega(Q)}{\omega_{best}}
+          = \frac{\lambda}{w^2 \omega_{best}} W(Q),
+
+one integer weight, ``occurrence_weight``, times an integer sum.
+"""
+
+from numba import njit
+
+
+def omega_best(patch_width, source_pixels, target_patches):
+    """Ω of every source pixel if all were used alike, ``w² |B| / |A|`` (thesis 2.1).
+
+    ``target_patches`` is the number of assigned target patches: all pixels of the
+    target, or those that a mask leaves to be synthesized.
+    """
+    return patch_width**2 * target_patches / source_pixels
+
+
+@njit
+def patch_omega(omega, patch_width, source_y, source_x):
+    """W(Q): Ω summed over the patch around ``(source_y, source_x)``.
+
+    PatchOmega of thesis 3.2 before its two divisions.
+    """
+    radius = patch_width // 2
+    total = 0
+    for dy in range(-radius, radius + 1):
+        for dx in range(-radius, radius + 1):
+            total += omega[source_y + dy, source_x + dx]
+    return total
+
+
+@njit
+def update_patch_omega(omega, patch_width, source_y, source_x, change):
+    """Add ``change`` to Ω under the patch (UpdatePatchOmega, thesis 3.2)."""
+    radius = patch_width // 2
+    for dy in range(-radius, radius + 1):
+        for dx in range(-radius, radius + 1):
+            omega[source_y + dy, source_x + dx] += change
+
+
+@njit
+def update_omega_sums(omega_sums, patch_width, source_y, source_x, change):
+    """Add to W of every patch what ``change`` assignments of one patch add to Ω.
+
+    The patch at offset ``(dy, dx)`` shares ``(w - |dy|) (w - |dx|)`` pixels with it.
+    One such update of W stands for UpdatePatchOmega and all the sums that would
+    read it.
+    """
+    reach = patch_width - 1
+    for dy in range(max(-reach, -source_y), min(reach, omega_sums.shape[0] - 1 - source_y) + 1):
+        rows = change * (patch_width - abs(dy))
+        for dx in range(max(-reach, -source_x), min(reach, omega_sums.shape[1] - 1 - source_x) + 1):
+            omega_sums[source_y + dy, source_x + dx] += rows * (patch_width - abs(dx))

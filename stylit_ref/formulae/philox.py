@@ -1,0 +1,48 @@
+"""Counter-based random numbers: Philox4x32-10 (Salmon et al. 2011, Random123).
+
+A draw depends on its counter and key alone, so every pixel draws the same numbers
+whichever thread, block or device asks, and no state is carried (the thesis keeps a
+``curandState`` per pixel instead, section 3.3).
+"""
+
+import numpy as np
+from numba import njit
+
+_MULTIPLIER_0 = np.uint64(0xD2511F53)
+_MULTIPLIER_1 = np.uint64(0xCD9E8D57)
+_WEYL_0 = np.uint32(0x9E3779B9)
+_WEYL_1 = np.uint32(0xBB67AE85)
+_ROUNDS = 10
+
+
+@njit
+def philox4x32(counter_0, counter_1, counter_2, counter_3, key_0, key_1):
+    """Encrypt a 128-bit counter with a 64-bit key into four random words.
+
+    Parameters
+    ----------
+    counter_0, counter_1, counter_2, counter_3, key_0, key_1 : uint32
+
+    Returns
+    -------
+    tuple of 4 uint32
+    """
+    c0, c1 = np.uint32(counter_0), np.uint32(counter_1)
+    c2, c3 = np.uint32(counter_2), np.uint32(counter_3)
+    k0, k1 = np.uint32(key_0), np.uint32(key_1)
+    for _ in range(_ROUNDS):
+        product_0 = np.uint64(c0) * _MULTIPLIER_0
+        product_1 = np.uint64(c2) * _MULTIPLIER_1
+        c0 = np.uint32(np.uint32(product_1 >> np.uint64(32)) ^ c1 ^ k0)
+        c1 = np.uint32(product_1 & np.uint64(0xFFFFFFFF))
+        c2 = np.uint32(np.uint32(product_0 >> np.uint64(32)) ^ c3 ^ k1)
+        c3 = np.uint32(product_0 & np.uint64(0xFFFFFFFF))
+        k0 = np.uint32((np.uint64(k0) + np.uint64(_WEYL_0)) & np.uint64(0xFFFFFFFF))
+        k1 = np.uint32((np.uint64(k1) + np.uint64(_WEYL_1)) & np.uint64(0xFFFFFFFF))
+    return c0, c1, c2, c3
+
+
+@njit
+def uniform_below(word, n):
+    """Map a random word to an integer in ``[0, n)``: ``floor(word * n / 2**32)``."""
+    return np.int64((np.uint64(word) * np.uint64(n)) >> np.uint64(32))

@@ -1,0 +1,261 @@
+"""Image files in and out through OpenImageIO: PNG, TIFF, JPEG, (multilayer) EXR, ...
+
+The synthesis works on 8-bit values as they are displayed. Deeper files are converted
+on reading: 16-bit integers by ``round(v / 257)``; floating point, which is taken as
+scene-linear light, by the sRGB transfer curve after clipping to [0, 1] (alpha stays
+linear). An alpha channel that is opaque everywhere carries nothing and is dropped;
+otherwise colours are premultiplied by it, as OpenImageIO has it, so that averages of
+transparent pixels come out right.
+"""
+
+from pathlib import Path
+
+import numpy as np
+import OpenImageIO as oiio
+from skimage.util import img_as_float32
+
+from stylit_ref.errors import InputError
+from stylit_ref.output_file import check_writable, whole_file
+
+FLOAT_FORMATS = (".exr", ".hdr", ".pfm")
+"""Files that hold scene-linear floating point."""
+
+_COLOURS = "RGBYA"
+_CHANNEL_ORDER = "RGBXYZUVA"
+
+
+def to_uint8(image, alpha_channel=None):
+    """Convert an image to 8 bits as displayed.
+
+    Parameters
+    ----------
+    image : (H, W, ...) uint8, uint16 or floating point
+        Floating point is scene-linear light.
+    alpha_channel : int, optional
+        Channel that is not light and stays linear.
+
+    Returns
+    -------
+    array of the same shape, uint8
+
+    Raises
+    ------
+    InputError
+        For another dtype.
+    """
+    image = np.asarray(image)
+    if image.dtype == np.uint8:
+        return image
+    if image.dtype == np.uint16:
+        return ((image.astype(np.uint32) + 128) // 257).astype(np.uint8)
+    if not np.issubdtype(image.dtype, np.floating):
+        raise InputError(f"image has dtype {image.dtype}; it must be uint8, uint16 or float")
+    linear = np.clip(image.astype(np.float32), 0, 1)
+    encoded = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
+    if alpha_channel is not None:
+        encoded[..., alpha_channel] = linear[..., alpha_channel]
+    return np.floor(encoded * 255 + 0.5).astype(np.uint8)
+
+
+def to_linear(image):
+    """Invert the sRGB curve: integers as displayed to float32 scene-linear light."""
+    encoded = img_as_float32(image)
+    linear = np.where(encoded <= 0.04045, encoded / 12.92, ((encoded + 0.055) / 1.055) ** 2.4)
+    if image.ndim == 3 and image.shape[2] in (2, 4):
+        linear[..., -1] = encoded[..., -1]
+    return linear.astype(np.float32)
+
+
+def read_image(path):
+    """Read an image at its own depth.
+
+    Parameters
+    ----------
+    path : str or Path
+        A file, or ``file:LAYER`` for a layer of a multilayer EXR: channels named
+        ``LAYER.R`` and so on, or a part of that name.
+
+    Returns
+    -------
+    (H, W, n) uint8, uint16 or float32
+        The display window; pixels outside the data window are 0.
+
+    Raises
+    ------
+    InputError
+        If the file or layer is missing, cannot be read, or holds NaN or infinity.
+    """
+    return _read(path)[0]
+
+
+def read_uint8(path):
+    """Read an image as 8-bit display values (see the module's description).
+
+    Parameters and errors are those of :func:`read_image`.
+
+    Returns
+    -------
+    (H, W, n) uint8
+    """
+    image, alpha_channel = _read(path)
+    return to_uint8(image, alpha_channel)
+
+
+def write_image(path, image):
+    """Write an image, whole or not at all.
+
+    Integers go to a floating-point format as scene-linear light and floating point to
+    an integer format as 8-bit display values; otherwise the depth is kept.
+
+    Parameters
+    ----------
+    path : str or Path
+        The suffix names the format.
+    image : (H, W) or (H, W, n) uint8, uint16 or float32
+        2 and 4 channels end in alpha, premultiplied.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be written.
+    """
+    path = Path(path)
+    image = np.ascontiguousarray(np.atleast_3d(image))
+    height, width, channels = image.shape
+    check_image_writable(path, channels)
+    alpha_channel = channels - 1 if channels in (2, 4) else None
+    stored = str(image.dtype).replace("float32", "float")
+    if path.suffix.lower() in FLOAT_FORMATS and image.dtype != np.float32:
+        stored = "half" if image.dtype == np.uint8 else "float"
+        image = to_linear(image)
+    elif path.suffix.lower() not in FLOAT_FORMATS and image.dtype == np.float32:
+        stored = "uint8"
+        image = to_uint8(image, alpha_channel)
+
+    spec = oiio.ImageSpec(width, height, channels, stored)
+    if alpha_channel is not None:
+        spec.alpha_channel = alpha_channel
+        spec.channelnames = ("Y", "A") if channels == 2 else ("R", "G", "B", "A")
+    with whole_file(path) as partial:
+        output = oiio.ImageOutput.create(str(partial))
+        written = output.open(str(partial), spec) and output.write_image(image)
+        if not (output.close() and written):
+            raise InputError(f"{path}: cannot be written: {output.geterror() or oiio.geterror()}")
+
+
+def check_image_writable(path, channels):
+    """Refuse early an output that :func:`write_image` could not write.
+
+    Parameters
+    ----------
+    path : str or Path
+    channels : int
+
+    Raises
+    ------
+    InputError
+    """
+    path = Path(path)
+    output = oiio.ImageOutput.create(str(path))
+    if output is None:
+        oiio.geterror()
+        raise InputError(
+            f"{path}: no image format is known by the suffix '{path.suffix}'; "
+            "use .png, .tif or .exr"
+        )
+    if channels in (2, 4) and not output.supports("alpha"):
+        raise InputError(
+            f"{path}: {output.format_name()} files have no transparency and the image has "
+            "an alpha channel; use .png, .tif or .exr"
+        )
+    check_writable(path)
+
+
+def _read(path):
+    """Pixels of a file or layer and the number of their alpha channel, or None."""
+    file, layer = _split_layer(path)
+    part, channels = _find_layer(file, layer)
+    buffer = oiio.ImageBuf(str(file), part, 0)
+    depth = {"uint8": "uint8", "uint16": "uint16"}.get(str(buffer.spec().format), "float")
+    if not buffer.read(part, 0, True, depth):
+        raise InputError(f"{file}: cannot be read: {buffer.geterror()}")
+    if buffer.roi != buffer.roi_full:
+        buffer = oiio.ImageBufAlgo.crop(buffer, roi=buffer.roi_full)
+    if buffer.orientation != 1:
+        buffer = oiio.ImageBufAlgo.reorient(buffer)
+
+    names = [_channel_name(buffer.spec().channelnames[c])[1] for c in channels]
+    image = buffer.get_pixels(depth)[:, :, channels]
+    broken = ~np.isfinite(image)
+    if broken.any():
+        y, x, _ = np.argwhere(broken)[0]
+        raise InputError(
+            f"{path}: {np.count_nonzero(broken.any(axis=2))} pixels are NaN or infinite, "
+            f"the first at (y, x) = ({y}, {x}); all values must be finite"
+        )
+    alpha_channel = names.index("A") if "A" in names and len(names) > 1 else None
+    if alpha_channel is not None:
+        alpha = image[:, :, alpha_channel]
+        opaque = 1 if alpha.dtype == np.float32 else np.iinfo(alpha.dtype).max
+        if (alpha >= opaque).all():
+            image, alpha_channel = np.delete(image, alpha_channel, axis=2), None
+    return np.ascontiguousarray(image), alpha_channel
+
+
+def _split_layer(path):
+    """``file:LAYER`` into file and layer; a file of that whole name comes first."""
+    whole, (file, colon, layer) = Path(path), str(path).rpartition(":")
+    if not whole.is_file() and colon and (Path(file).is_file() or Path(file).suffix):
+        whole = Path(file)
+    else:
+        layer = None
+    if not whole.is_file():
+        reason = "is a folder, not an image" if whole.is_dir() else "no such file"
+        raise InputError(f"{whole}: {reason}")
+    return whole, layer
+
+
+def _channel_name(name):
+    """``LAYER.R`` into layer and channel; a channel without a layer has layer ``""``."""
+    layer, _, channel = name.rpartition(".")
+    return layer, channel.upper()
+
+
+def _find_layer(file, layer):
+    """Part of the file and channel numbers of a layer, colours in their usual order.
+
+    A layer is a prefix of channel names (``LDE.R``), or a named part of the file.
+    Without a layer the unnamed channels are meant: the colours, if there are any.
+    """
+    image = oiio.ImageInput.open(str(file))
+    if image is None:
+        raise InputError(f"{file}: cannot be read: {oiio.geterror()}")
+    layers = {}
+    part = 0
+    while image.seek_subimage(part, 0):
+        spec = image.spec()
+        part_name = spec.getattribute("name") or ""
+        for number, name in enumerate(spec.channelnames):
+            prefix, channel = _channel_name(name)
+            keys = {prefix or part_name}
+            if part == 0 and not prefix:
+                keys.add("")
+            for key in keys:
+                layers.setdefault(key, []).append((part, number, channel))
+        part += 1
+    image.close()
+
+    named = sorted(key for key in layers if key)
+    channels = layers.get(layer or "", [])
+    if layer is None:
+        if not channels and len(named) == 1:
+            channels = layers[named[0]]
+        colours = [entry for entry in channels if entry[2] in _COLOURS]
+        channels = colours or ([] if len(named) > 1 else channels)
+    if not channels:
+        asked = "it has no unnamed layer" if layer is None else f"it has no layer '{layer}'"
+        known = ", ".join(named) or "none"
+        raise InputError(f"{file}: {asked}; its named layers are: {known}")
+    part = channels[0][0]
+    channels = sorted((_CHANNEL_ORDER.find(c), n) for p, n, c in channels if p == part)
+    return part, [number for _, number in channels]

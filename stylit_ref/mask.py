@@ -1,0 +1,53 @@
+"""Target pixels that are left alone.
+
+A pixel is voted for by the patches within a radius of it, and those read style pixels
+within another radius, each again covered by one of them. So the patches that touch
+an unmasked pixel form a closed system: they alone are assigned and counted in Ω, and
+the result flows past the edge of the mask without a seam.
+"""
+
+import numpy as np
+from skimage.morphology import dilation, footprint_rectangle
+
+
+def active_patches(mask, patch_width):
+    """Target patches that take part: all that touch an unmasked pixel.
+
+    Parameters
+    ----------
+    mask : (H, W) bool
+        True where the target is left alone.
+    patch_width : int
+
+    Returns
+    -------
+    (H, W) bool
+    """
+    return dilation(~mask, footprint_rectangle((patch_width, patch_width)))
+
+
+def fill_masked(image, mask, fill):
+    """Show ``fill`` in the masked pixels, or make them transparent.
+
+    Parameters
+    ----------
+    image : (H, W, n) uint8
+        1 to 4 channels; with 2 or 4 the last is alpha.
+    mask : (H, W) bool
+    fill : (H, W) or (H, W, n) uint8, or None
+
+    Returns
+    -------
+    (H, W, n) uint8, or (H, W, n + 1) where an alpha channel was added
+    """
+    if fill is not None:
+        filled = image.copy()
+        filled[mask] = fill.reshape(image.shape)[mask]
+        return filled
+    if image.shape[2] % 2:
+        opaque = np.full((*image.shape[:2], 1), 255, np.uint8)
+        filled = np.concatenate([image, opaque], axis=2)
+    else:
+        filled = image.copy()
+    filled[mask] = 0
+    return filled

@@ -1,0 +1,134 @@
+"""Guides and style in one texture, and the weights of the metric (thesis 2.1, 3.2).
+
+The thesis keeps guidance and style channels together in textures Ā and B̄. So does
+this module, in a layout for vector instructions: guides first, then style, a pixel
+padded to a multiple of 16 bytes, and neighbouring channels ``2k`` and ``2k + 1`` always
+of equal weight (a padding channel, zero on both sides, goes between where needed).
+
+Weights are fixed-point integers, so that φ is an exact integer in any order of
+evaluation: on every processor, with any number of threads.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from stylit_ref.errors import InputError
+from stylit_ref.formulae.patch_penalization import omega_best
+from stylit_ref.formulae.row_differences import LANES
+
+ONE = 1 << 16
+"""Fixed-point one: φ, λρ and δ are held in units of 1/65536."""
+
+
+@dataclass(frozen=True)
+class Packing:
+    """Where each channel lies in a packed pixel, and its weight.
+
+    Attributes
+    ----------
+    guide_channels : tuple of int
+        First packed channel of each guide.
+    style_channel, style_channels : int
+        First packed channel of the style and the number of its channels.
+    channels : int
+        Packed channels a pixel, a multiple of 16.
+    weights : (channels,) int64
+        Fixed-point factor of each channel's squared differences.
+    """
+
+    guide_channels: tuple[int, ...]
+    style_channel: int
+    style_channels: int
+    channels: int
+    weights: np.ndarray
+
+    @property
+    def pair_weights(self):
+        """Weights of neighbouring channels, (channels / 2,) uint32."""
+        return self.weights.reshape(-1, 2).max(axis=1).astype(np.uint32)
+
+    def pack(self, guides, style=None):
+        """Lay guides and style side by side.
+
+        Parameters
+        ----------
+        guides : sequence of (H, W, n) uint8
+        style : (H, W, style_channels) uint8, optional
+            Zeros if it is not known yet.
+
+        Returns
+        -------
+        (H, W, channels) uint8
+        """
+        texture = np.zeros((*guides[0].shape[:2], self.channels), np.uint8)
+        for first, guide in zip(self.guide_channels, guides, strict=True):
+            texture[:, :, first : first + guide.shape[2]] = guide
+        if style is not None:
+            self.style(texture)[:] = style
+        return texture
+
+    def style(self, texture):
+        """View of a packed texture's style channels."""
+        return texture[:, :, self.style_channel : self.style_channel + self.style_channels]
+
+
+def make_packing(guide_sizes, style_channels, guide_influence, guide_weights):
+    """Lay out channels and weights.
+
+    Each guide channel weighs μ/n_g times its guide's weight and each style channel
+    1/n_s (SSD, thesis 3.2), n_g and n_s being the numbers of channels.
+
+    Parameters
+    ----------
+    guide_sizes : sequence of int
+        Channels of each guide.
+    style_channels : int
+    guide_influence : float
+        μ.
+    guide_weights : sequence of float
+
+    Returns
+    -------
+    Packing
+
+    Raises
+    ------
+    InputError
+        If a weight does not fit 32 bits in fixed point.
+    """
+    weights, guide_channels = [], []
+    per_channel = guide_influence / sum(guide_sizes)
+    for size, guide_weight in zip(guide_sizes, guide_weights, strict=True):
+        fixed = round(ONE * per_channel * guide_weight)
+        if fixed >= 1 << 32:
+            raise InputError(
+                f"guide weight {guide_weight:g} times guide influence {guide_influence:g} "
+                f"is too large; their product over all guide channels must stay below 65536"
+            )
+        if len(weights) % 2 and weights[-1] != fixed:
+            weights.append(0)
+        guide_channels.append(len(weights))
+        weights += [fixed] * size
+    weights += [0] * (len(weights) % 2)
+    style_channel = len(weights)
+    weights += [round(ONE / style_channels)] * style_channels
+    weights += [0] * (-len(weights) % LANES)
+    return Packing(
+        tuple(guide_channels),
+        style_channel,
+        style_channels,
+        len(weights),
+        np.array(weights, np.int64),
+    )
+
+
+def occurrence_weight(uniformity, patch_width, source_pixels, target_patches):
+    """Fixed-point factor of W in φ: ``λ / (w² ω_best)``, since λρ = λω/ω_best and W = w²ω.
+
+    Returns
+    -------
+    int
+    """
+    best = omega_best(patch_width, source_pixels, target_patches)
+    return round(ONE * uniformity / (patch_width**2 * best))

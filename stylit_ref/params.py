@@ -1,0 +1,73 @@
+"""Parameters of a stylization; the defaults are those of thesis 4.1."""
+
+from dataclasses import dataclass
+from numbers import Integral, Real
+from typing import Literal
+
+import numpy as np
+
+from stylit_ref.errors import InputError
+
+Schedule = Literal["propose_commit", "scanline"]
+
+
+@dataclass(frozen=True)
+class Params:
+    """What shapes the result, apart from the images and the seed.
+
+    Attributes
+    ----------
+    patch_width : int
+        w, odd, in pixels (4.1: 5).
+    levels : int
+        Levels of the pyramid (4.1: 6); fewer are used where the coarsest would be
+        smaller than a patch.
+    votes : int
+        EM iterations a level: a vote, then PatchMatch (4.1: 6).
+    patchmatch_iterations : int
+        PatchMatch iterations after each vote (4.1: 6).
+    uniformity : float
+        λ, the weight of the patch penalization ρ (4.3: best in 5000 to 15000).
+    guide_influence : float
+        μ, the weight of all guides together against the style (4.1: 2).
+    guide_weights : tuple of float, optional
+        A factor for each guide's share of μ; 1 for every guide by default.
+    schedule : {"propose_commit", "scanline"}
+        How PatchMatch proceeds and when Ω changes
+        (:mod:`stylit_ref.texture_optimization`).
+
+    Raises
+    ------
+    InputError
+        If a value is out of range.
+    """
+
+    patch_width: int = 5
+    levels: int = 6
+    votes: int = 6
+    patchmatch_iterations: int = 6
+    uniformity: float = 10000.0
+    guide_influence: float = 2.0
+    guide_weights: tuple[float, ...] | None = None
+    schedule: Schedule = "propose_commit"
+
+    def __post_init__(self):
+        if not isinstance(self.patch_width, Integral) or self.patch_width % 2 == 0:
+            raise InputError(f"patch_width is {self.patch_width}; it must be an odd integer")
+        if not 3 <= self.patch_width <= 63:
+            raise InputError(f"patch_width is {self.patch_width}; it must be from 3 to 63")
+        for name, most in (("levels", 16), ("votes", 65535), ("patchmatch_iterations", 65535)):
+            value = getattr(self, name)
+            if not isinstance(value, Integral) or not 1 <= value <= most:
+                raise InputError(f"{name} is {value}; it must be an integer from 1 to {most}")
+        for name in ("uniformity", "guide_influence"):
+            value = getattr(self, name)
+            if not isinstance(value, Real) or not 0 <= value < np.inf:
+                raise InputError(f"{name} is {value}; it must be a finite number, 0 or more")
+        for weight in self.guide_weights or ():
+            if not isinstance(weight, Real) or not 0 <= weight < np.inf:
+                raise InputError(f"guide weight {weight} must be a finite number, 0 or more")
+        if self.schedule not in ("propose_commit", "scanline"):
+            raise InputError(
+                f"schedule is {self.schedule!r}; it must be 'propose_commit' or 'scanline'"
+            )

@@ -1,0 +1,31 @@
+"""One whole array each, on the CPU: loops over the formulae."""
+
+from stylit_ref.passes.commit import commit
+from stylit_ref.passes.energy import energy
+from stylit_ref.passes.occurrence import box_sum, count_assignments, occurrence_map
+from stylit_ref.passes.patch_sums import patch_sums
+from stylit_ref.passes.propagation import propagation
+from stylit_ref.passes.pyramid import downsample, downsample_mask, upsample_nnf
+from stylit_ref.passes.random_nnf import random_nnf
+from stylit_ref.passes.random_search import random_search
+from stylit_ref.passes.scanline import scanline
+from stylit_ref.passes.similarity import similarity
+from stylit_ref.passes.vote import vote
+
+__all__ = [
+    "box_sum",
+    "commit",
+    "count_assignments",
+    "downsample",
+    "downsample_mask",
+    "energy",
+    "occurrence_map",
+    "patch_sums",
+    "propagation",
+    "random_nnf",
+    "random_search",
+    "scanline",
+    "similarity",
+    "upsample_nnf",
+    "vote",
+]

@@ -1,0 +1,71 @@
+"""Propagation of assignments to neighbours at a distance (Kernel_Propagation, 3.3)."""
+
+from functools import lru_cache
+
+from numba import njit, prange
+
+from stylit_ref.formulae.bounded_metric import make_bounded_metric
+from stylit_ref.formulae.candidates import propagation_candidate
+
+
+@lru_cache
+def _make_kernel(patch_width, channels):
+    radius = patch_width // 2
+    _, improve_proposal = make_bounded_metric(patch_width, channels)
+
+    @njit(parallel=True, error_model="numpy")
+    def kernel(textures, omega_sums, occurrence_weight, nnf, delta, new_nnf, new_delta, distance):
+        height, width = delta.shape
+        source_height, source_width = omega_sums.shape
+        for y in prange(height):
+            for x in range(width):
+                best_y, best_x, best_delta = nnf[y, x, 0], nnf[y, x, 1], delta[y, x]
+                if best_y >= 0:
+                    best_phi = best_delta + occurrence_weight * omega_sums[best_y, best_x]
+                    for dy, dx in ((0, distance), (distance, 0), (0, -distance), (-distance, 0)):
+                        near_y, near_x = y + dy, x + dx
+                        if near_y < 0 or near_y >= height or near_x < 0 or near_x >= width:
+                            continue
+                        if nnf[near_y, near_x, 0] < 0:
+                            continue
+                        candidate_y, candidate_x = propagation_candidate(
+                            nnf[near_y, near_x, 0], nnf[near_y, near_x, 1], dy, dx,
+                            radius, source_height, source_width,
+                        )  # fmt: skip
+                        best_y, best_x, best_delta, best_phi = improve_proposal(
+                            textures, omega_sums, occurrence_weight, y, x,
+                            candidate_y, candidate_x, best_y, best_x, best_delta, best_phi,
+                        )  # fmt: skip
+                new_nnf[y, x, 0], new_nnf[y, x, 1], new_delta[y, x] = best_y, best_x, best_delta
+
+    return kernel
+
+
+def propagation(
+    textures, omega_sums, occurrence_weight, patch_width,
+    nnf, delta, new_nnf, new_delta, distance,
+):  # fmt: skip
+    """Offer every target patch the assignments of four neighbours, shifted back.
+
+    Ω stays as it is during the pass. Candidates come in the thesis' order: the
+    neighbours to the right, below, to the left, above.
+
+    Parameters
+    ----------
+    textures : Textures
+    omega_sums : (H_A, W_A) int32
+        W, Ω summed over each patch.
+    occurrence_weight : int
+        Weight of W in φ, fixed point.
+    patch_width : int
+    nnf : (H_B, W_B, 2) int32
+        Assignments to start from; negative where a mask leaves the pixel alone.
+    delta : (H_B, W_B) int64
+        Their δ.
+    new_nnf, new_delta : arrays like ``nnf`` and ``delta``
+        NNF' of the thesis: receives the better assignment and its δ.
+    distance : int
+        Offset of the neighbours in pixels (4, 2 and 1 in the thesis' jump flood).
+    """
+    kernel = _make_kernel(patch_width, textures.source.shape[2])
+    kernel(textures, omega_sums, occurrence_weight, nnf, delta, new_nnf, new_delta, distance)

@@ -1,0 +1,27 @@
+"""Random initial assignments (RandomNNF, thesis 2.3; Kernel_RandomNNF, 3.4)."""
+
+from numba import njit, prange
+
+from stylit_ref.formulae.philox import uniform_below
+from stylit_ref.formulae.random_stream import random_words
+
+
+@njit(parallel=True)
+def random_nnf(nnf, patch_width, source_height, source_width, stream):
+    """Assign a uniformly random source patch to every target patch.
+
+    Parameters
+    ----------
+    nnf : (H_B, W_B, 2) int32
+        Overwritten, except where it is negative (pixels a mask leaves alone).
+    patch_width, source_height, source_width : int
+    stream : tuple of 4 uint32
+    """
+    height, width = nnf.shape[:2]
+    radius = patch_width // 2
+    for y in prange(height):
+        for x in range(width):
+            if nnf[y, x, 0] >= 0:
+                words = random_words(stream, y * width + x, 0)
+                nnf[y, x, 0] = radius + uniform_below(words[0], source_height - 2 * radius)
+                nnf[y, x, 1] = radius + uniform_below(words[1], source_width - 2 * radius)

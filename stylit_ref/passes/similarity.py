@@ -1,0 +1,36 @@
+"""δ of the assignments as they stand (thesis 2.1)."""
+
+from functools import lru_cache
+
+from numba import njit, prange
+
+from stylit_ref.formulae.bounded_metric import make_bounded_metric
+
+
+@lru_cache
+def _make_kernel(patch_width, channels):
+    assignment_delta, _ = make_bounded_metric(patch_width, channels)
+
+    @njit(parallel=True)
+    def kernel(textures, nnf, delta):
+        for y in prange(delta.shape[0]):
+            for x in range(delta.shape[1]):
+                if nnf[y, x, 0] >= 0:
+                    delta[y, x] = assignment_delta(textures, y, x, nnf[y, x, 0], nnf[y, x, 1])
+
+    return kernel
+
+
+def similarity(textures, patch_width, nnf, delta):
+    """Evaluate δ of every assignment.
+
+    Parameters
+    ----------
+    textures : Textures
+    patch_width : int
+    nnf : (H_B, W_B, 2) int32
+        Negative where a mask leaves the pixel alone; δ is left as it is there.
+    delta : (H_B, W_B) int64
+        Receives δ in fixed point.
+    """
+    _make_kernel(patch_width, textures.source.shape[2])(textures, nnf, delta)
