@@ -123,7 +123,7 @@ def stylize(
         guide_weights,
     )
     synthesized = active_patches(mask, params.patch_width)
-    _check_range(packing, params, source_size, np.count_nonzero(synthesized))
+    _check_range(packing, params, source_size, int(np.count_nonzero(synthesized)))
 
     history = []
 

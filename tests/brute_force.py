@@ -1,0 +1,90 @@
+"""Oracles: the definitions of the thesis in plain Python, as slow as they come."""
+
+import numpy as np
+
+
+def weights_of(packing):
+    """Weight of each channel as Python integers."""
+    return [int(weight) for weight in packing.weights]
+
+
+def padded(target, radius):
+    """Target with its edge repeated."""
+    return np.pad(target, ((radius, radius), (radius, radius), (0, 0)), mode="edge")
+
+
+def delta(source, padded_target, weights, patch_width, y, x, source_y, source_x):
+    """δ by its definition in Python integers (thesis 2.1, weighted as in 3.2)."""
+    radius = patch_width // 2
+    p = padded_target[y : y + patch_width, x : x + patch_width].astype(object)
+    q = source[
+        source_y - radius : source_y + radius + 1, source_x - radius : source_x + radius + 1
+    ].astype(object)
+    return int((((p - q) ** 2).sum(axis=(0, 1)) * np.array(weights, object)).sum())
+
+
+def omega(nnf, source_size, patch_width):
+    """Ω by counting: one for each assigned patch over each pixel it covers (thesis 2.1)."""
+    radius = patch_width // 2
+    counts = np.zeros(source_size, np.int64)
+    for source_y, source_x in nnf.reshape(-1, 2):
+        if source_y >= 0:
+            counts[
+                source_y - radius : source_y + radius + 1, source_x - radius : source_x + radius + 1
+            ] += 1
+    return counts
+
+
+def omega_sum(omega_map, patch_width, source_y, source_x):
+    """W: Ω summed over one patch."""
+    radius = patch_width // 2
+    return int(
+        omega_map[
+            source_y - radius : source_y + radius + 1, source_x - radius : source_x + radius + 1
+        ].sum()
+    )
+
+
+def phi(level, omega_map, y, x, source_y, source_x):
+    """φ of a target and a source patch of a level, in full."""
+    return level.occurrence_weight * omega_sum(
+        omega_map, level.patch_width, source_y, source_x
+    ) + delta(
+        level.textures.source,
+        level.textures.target,
+        weights_of(level.packing),
+        level.patch_width,
+        y,
+        x,
+        source_y,
+        source_x,
+    )
+
+
+def best_of(level, omega_map, y, x, candidates):
+    """The first candidate with the lowest φ, the current assignment coming first."""
+    best = tuple(int(v) for v in level.nnf[y, x])
+    best_phi = phi(level, omega_map, y, x, *best)
+    for candidate in candidates:
+        candidate_phi = phi(level, omega_map, y, x, *candidate)
+        if candidate_phi < best_phi:
+            best, best_phi = candidate, candidate_phi
+    return best
+
+
+def vote(style, nnf, patch_width):
+    """Mean of the votes of all assigned patches over each pixel, rounded half up (2.3)."""
+    radius = patch_width // 2
+    height, width = nnf.shape[:2]
+    image = np.zeros((height, width, style.shape[2]), np.int64)
+    for y in range(height):
+        for x in range(width):
+            votes = [
+                style[nnf[py, px, 0] + y - py, nnf[py, px, 1] + x - px].astype(int)
+                for py in range(max(0, y - radius), min(height, y + radius + 1))
+                for px in range(max(0, x - radius), min(width, x + radius + 1))
+                if nnf[py, px, 0] >= 0
+            ]
+            if votes:
+                image[y, x] = np.floor(np.mean(votes, axis=0) + 0.5)
+    return image

@@ -1,0 +1,79 @@
+"""Each number of the reports on input made by hand."""
+
+import numpy as np
+import pytest
+from skimage.filters import gaussian
+from small_scene import small_scene
+
+from eval.image_energy import image_energy
+from eval.scenes import Scene
+from eval.sharpness import detail, richness, sharpness
+from eval.usage import coverage, distinct_patches, peak_usage
+from stylit_ref import replay
+
+
+def scene(**sizes):
+    style, sources, targets = small_scene(**sizes)
+    return Scene("small", None, ("a", "b"), style, tuple(sources), tuple(targets), 1)
+
+
+def test_image_energy_of_a_copy_is_zero():
+    copy = scene()
+    copy = Scene("copy", None, ("a", "b"), copy.style, copy.source_guides, copy.source_guides, 1)
+    energy = image_energy(copy, copy.style)
+    assert energy.mean < 1
+    assert energy.distinct > 0.999
+
+
+def test_image_energy_is_the_mean_of_the_best_matches():
+    """Against all source patches, one by one."""
+    small = scene(source_size=(12, 13), target_size=(11, 10))
+    image = np.random.default_rng(3).integers(0, 256, (11, 10, 3), dtype=np.uint8)
+    best = []
+    for y in range(2, 9):
+        for x in range(2, 8):
+            p = np.s_[y - 2 : y + 3, x - 2 : x + 3]
+            costs = []
+            for source_y in range(2, 10):
+                for source_x in range(2, 11):
+                    q = np.s_[source_y - 2 : source_y + 3, source_x - 2 : source_x + 3]
+                    cost = ((image[p].astype(float) - small.style[q]) ** 2).sum() / 3
+                    for source, target in zip(
+                        small.source_guides, small.target_guides, strict=True
+                    ):
+                        cost += 2 / 4 * ((target[p].astype(float) - source[q]) ** 2).sum()
+                    costs.append(cost)
+            best.append(min(costs))
+    assert image_energy(small, image).mean == pytest.approx(np.mean(best), rel=0.02)
+
+
+def test_detail_sees_high_frequencies_only():
+    ramp = np.tile(np.arange(0, 128, 2, dtype=np.uint8), (64, 1))
+    board = (np.indices((64, 64)).sum(axis=0) % 2 * 100).astype(np.uint8)
+    assert detail(ramp)[8:-8, 8:-8].max() < 1e-6
+    assert detail(board)[8:-8, 8:-8].min() > 2000
+
+
+def test_sharpness_is_one_for_a_copy_and_falls_with_blur():
+    style = scene().style
+    nnf = np.stack(np.mgrid[:40, :46], axis=-1)
+    assert sharpness(style, style, nnf) == pytest.approx(1)
+    blurred = gaussian(style, 0.8, channel_axis=2, preserve_range=True).astype(np.uint8)
+    assert sharpness(blurred, style, nnf) < 0.5
+
+
+def test_richness_falls_where_smooth_parts_are_preferred():
+    style = scene().style.copy()
+    style[:, 23:] = 128
+    nnf = np.full((40, 46, 2), (20, 38), np.int32)
+    smooth = replay(nnf, style)
+    assert richness(style, style) == pytest.approx(1)
+    assert richness(smooth, style) < 0.01
+
+
+def test_usage():
+    omega = np.array([[0, 0], [4, 12]], np.int32)
+    assert coverage(omega) == 0.5
+    assert peak_usage(omega, target_patches=16, patch_width=1) == 3
+    nnf = np.array([[[1, 2], [1, 2]], [[3, 2], [2, 1]]], np.int32)
+    assert distinct_patches(nnf) == 0.75

@@ -1,0 +1,68 @@
+import brute_force
+import numpy as np
+import pytest
+from small_level import make_level
+
+from stylit_ref import passes
+from stylit_ref.formulae.commit_classes import CLASS_STRIDE, commit_order
+from stylit_ref.formulae.random_stream import COMMIT_ORDER, random_stream
+
+
+def propose(level):
+    level.passes.propagation(
+        level.textures, level.omega_sums, level.occurrence_weight, level.patch_width,
+        level.nnf, level.delta, level.proposed_nnf, level.proposed_delta, 1,
+    )  # fmt: skip
+
+
+def commit(level, classes):
+    return passes.commit(
+        level.nnf, level.delta, level.proposed_nnf, level.proposed_delta,
+        level.omega_sums, level.occurrence_weight, level.patch_width, classes, CLASS_STRIDE,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("case", [{}, {"uniformity": 100000}, {"patch_width": 3}], ids=str)
+def test_commit_takes_what_lowers_phi_class_by_class(case):
+    """Against an oracle that recounts Ω before each class."""
+    level = make_level(target_size=(15, 18), **case)
+    propose(level)
+    proposed = level.proposed_nnf.copy()
+    classes = commit_order(random_stream(3, COMMIT_ORDER))
+    expected = level.nnf.copy()
+    moved = 0
+    for first_y, first_x in classes:
+        omega = brute_force.omega(expected, level.omega.shape, level.patch_width)
+        members = np.s_[first_y::CLASS_STRIDE, first_x::CLASS_STRIDE]
+        before = expected[members].copy()
+        for k in np.ndindex(before.shape[:2]):
+            y, x = first_y + CLASS_STRIDE * k[0], first_x + CLASS_STRIDE * k[1]
+            phis = [
+                brute_force.phi(level, omega, y, x, *choice[y, x])
+                for choice in (expected, proposed)
+            ]
+            if phis[1] < phis[0]:
+                expected[y, x] = proposed[y, x]
+                moved += 1
+    assert commit(level, classes) == moved > 0
+    np.testing.assert_array_equal(level.nnf, expected)
+
+
+def test_w_and_delta_follow_the_moves():
+    level = make_level(target_size=(15, 18))
+    propose(level)
+    commit(level, commit_order(random_stream(3, COMMIT_ORDER)))
+    omega_sums, delta = level.omega_sums.copy(), level.delta.copy()
+    level.init_occurrence_map()
+    level.update_similarity()
+    np.testing.assert_array_equal(omega_sums, level.omega_sums)
+    np.testing.assert_array_equal(delta, level.delta)
+
+
+def test_masked_pixels_stay_unassigned():
+    masked = np.zeros((14, 12), bool)
+    masked[4:9, 3:8] = True
+    level = make_level(masked=masked)
+    propose(level)
+    commit(level, commit_order(random_stream(3, COMMIT_ORDER)))
+    np.testing.assert_array_equal(level.nnf[:, :, 0] < 0, masked)

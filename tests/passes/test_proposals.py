@@ -1,0 +1,107 @@
+"""Propagation and random search decide as the plain formula would.
+
+The passes use the exact savings of ``bounded_metric``; the oracle evaluates φ in full.
+"""
+
+import brute_force
+import numpy as np
+import pytest
+from small_level import make_level
+
+from stylit_ref import passes
+from stylit_ref.formulae.candidates import propagation_candidate, random_candidate
+from stylit_ref.formulae.improve_assignment import phi
+from stylit_ref.formulae.random_stream import RANDOM_SEARCH, random_stream, random_words
+
+CASES = [
+    {},
+    {"uniformity": 0},
+    {"uniformity": 100000, "seed": 1},
+    {"smooth": True, "uniformity": 50},
+    {"patch_width": 3, "guide_channels": (1,), "style_channels": 1},
+    {"patch_width": 7, "guide_channels": (1, 4), "guide_weights": (2.0, 0.5), "style_channels": 4},
+    {"patch_width": 13, "source_size": (14, 15), "target_size": (13, 9)},
+    {"guide_channels": (3,) * 8, "source_size": (5, 5), "target_size": (6, 1)},
+    {"masked": np.eye(14, 12, dtype=bool)},
+]
+
+
+def proposals(level):
+    return level.nnf.copy(), level.delta.copy()
+
+
+def metric(level):
+    return level.textures, level.omega_sums, level.occurrence_weight, level.patch_width
+
+
+def check(level, new_nnf, new_delta, candidates_of):
+    """Every proposal is the oracle's, with its δ."""
+    omega = brute_force.omega(level.nnf, level.omega.shape, level.patch_width)
+    weights = brute_force.weights_of(level.packing)
+    improved = 0
+    for y in range(level.nnf.shape[0]):
+        for x in range(level.nnf.shape[1]):
+            if level.nnf[y, x, 0] < 0:
+                assert (new_nnf[y, x] < 0).all()
+                continue
+            expected = brute_force.best_of(level, omega, y, x, candidates_of(y, x))
+            assert tuple(new_nnf[y, x]) == expected
+            assert new_delta[y, x] == brute_force.delta(
+                level.textures.source, level.textures.target, weights, level.patch_width,
+                y, x, *expected,
+            )  # fmt: skip
+            improved += expected != tuple(level.nnf[y, x])
+    return improved
+
+
+@pytest.mark.parametrize("distance", [1, 4])
+@pytest.mark.parametrize("case", CASES, ids=str)
+def test_propagation(case, distance):
+    level = make_level(**case)
+    new_nnf, new_delta = proposals(level)
+    passes.propagation(*metric(level), level.nnf, level.delta, new_nnf, new_delta, distance)
+
+    def candidates_of(y, x):
+        for dy, dx in ((0, distance), (distance, 0), (0, -distance), (-distance, 0)):
+            near = y + dy, x + dx
+            inside = 0 <= near[0] < level.nnf.shape[0] and 0 <= near[1] < level.nnf.shape[1]
+            if inside and level.nnf[near][0] >= 0:
+                yield propagation_candidate(
+                    *level.nnf[near], dy, dx, level.patch_width // 2, *level.omega.shape
+                )
+
+    improved = check(level, new_nnf, new_delta, candidates_of)
+    assert improved > 0 or level.omega.shape == (5, 5)
+
+
+@pytest.mark.parametrize("case", CASES, ids=str)
+def test_random_search(case):
+    level = make_level(**case)
+    new_nnf, new_delta = proposals(level)
+    stream = random_stream(7, RANDOM_SEARCH, 1, 2, 3)
+    passes.random_search(*metric(level), level.nnf, level.delta, new_nnf, new_delta, stream)
+    height, width = level.nnf.shape[:2]
+
+    def candidates_of(y, x):
+        search_radius, k = 1, 0
+        while search_radius <= max(height, width) // 2:
+            words = random_words(stream, y * width + x, k // 2)
+            pair = words[2 * (k % 2) : 2 * (k % 2) + 2]
+            yield random_candidate(
+                *pair, *level.nnf[y, x], search_radius, level.patch_width // 2, *level.omega.shape
+            )
+            search_radius, k = 2 * search_radius, k + 1
+
+    improved = check(level, new_nnf, new_delta, candidates_of)
+    assert improved > 0 or level.omega.shape == (5, 5)
+
+
+def test_phi_is_the_definition():
+    level = make_level()
+    omega = brute_force.omega(level.nnf, level.omega.shape, level.patch_width)
+    for y, x in ((0, 0), (5, 7), (13, 11)):
+        place = y, x, *level.nnf[y, x]
+        assert phi(
+            level.textures.source, level.textures.target, level.textures.weights,
+            level.omega, level.occurrence_weight, level.patch_width, *place,
+        ) == brute_force.phi(level, omega, *place)  # fmt: skip

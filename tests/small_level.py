@@ -1,0 +1,45 @@
+"""A small pyramid level with everything in it, for tests of passes and formulae."""
+
+import numpy as np
+
+from stylit_ref import Params, passes
+from stylit_ref.formulae.random_stream import RANDOM_NNF, random_stream
+from stylit_ref.packing import make_packing
+from stylit_ref.texture_optimization import Level
+
+
+def make_level(
+    seed=0,
+    patch_width=5,
+    guide_channels=(3, 3),
+    guide_weights=None,
+    style_channels=3,
+    source_size=(13, 17),
+    target_size=(14, 12),
+    uniformity=5000,
+    smooth=False,
+    masked=None,
+):
+    """A level with random textures, a random NNF, and δ, Ω and W that belong to it."""
+    rng = np.random.default_rng(seed)
+    params = Params(patch_width=patch_width, uniformity=uniformity)
+    weights = guide_weights or (1.0,) * len(guide_channels)
+    packing = make_packing(guide_channels, style_channels, params.guide_influence, weights)
+
+    def texture(size):
+        image = rng.integers(0, 256, (*size, packing.channels), dtype=np.uint8)
+        if smooth:
+            ramp = np.add.outer(np.arange(size[0]), np.arange(size[1]))[:, :, None]
+            image = (ramp * 4 + image // 16).astype(np.uint8)
+        return image * (packing.weights > 0)
+
+    synthesized = np.ones(target_size, bool) if masked is None else ~masked
+    source, target = texture(source_size), texture(target_size)
+    level = Level(
+        passes, packing, params, source.astype(np.uint8), target.astype(np.uint8), synthesized
+    )
+    stream = random_stream(seed, RANDOM_NNF, 1)
+    passes.random_nnf(level.nnf, patch_width, *source_size, stream)
+    level.update_similarity()
+    level.init_occurrence_map()
+    return level

@@ -1,0 +1,279 @@
+"""``stylit-ref`` from end to end, at a small size."""
+
+import os
+import re
+import signal
+import subprocess
+import sys
+import time
+
+import numpy as np
+import pytest
+from exr_files import write_exr
+from small_scene import small_scene
+
+from stylit_ref import Params, read_image, stylize, write_image
+from stylit_ref.cli import main
+from stylit_ref.image_io import to_linear
+
+QUICK = ["--pyramid-levels", "2", "--search-vote-iters", "1", "--patchmatch-iters", "1"]
+
+
+@pytest.fixture
+def scene(tmp_path):
+    """Files of a small scene: (folder, style, source guides, target guides)."""
+    style, sources, targets = small_scene()
+    write_image(tmp_path / "style.png", style)
+    for k, (source, target) in enumerate(zip(sources, targets, strict=True)):
+        write_image(tmp_path / f"source_{k}.png", source)
+        write_image(tmp_path / f"target_{k}.png", target)
+    return tmp_path, style, sources, targets
+
+
+def run(folder, *more, style="style.png", guides=("source_{}.png", "target_{}.png")):
+    """Call ``run`` on the scene's files; ``more`` comes after them."""
+    command = ["run", "--style", f"{folder / style}", "--output", f"{folder / 'out.png'}"]
+    for k in range(2):
+        command += ["--guide", *(f"{folder / guide.format(k)}" for guide in guides)]
+    return main([*command, *QUICK, *map(str, more)])
+
+
+def refused(capsys, code):
+    """The one sentence a refusal printed."""
+    assert code == 2
+    message = capsys.readouterr().err.strip()
+    assert message.startswith("stylit-ref: ")
+    assert "\n" not in message
+    return message
+
+
+def test_run_writes_what_stylize_returns(scene):
+    folder, *arrays = scene
+    code = run(
+        folder, "--uniformity", 3000, "--seed", 5, "--nnf", folder / "nnf.npy",
+        "--save-levels", folder / "levels", "--threads", 1,
+    )  # fmt: skip
+    assert code == 0
+    params = Params(levels=2, votes=1, patchmatch_iterations=1, uniformity=3000)
+    expected = stylize(*arrays, params, seed=5)
+    np.testing.assert_array_equal(read_image(folder / "out.png"), expected.image)
+    np.testing.assert_array_equal(np.load(folder / "nnf.npy"), expected.nnf)
+    assert read_image(folder / "levels" / "level_1.png").shape == (19, 22, 3)
+    np.testing.assert_array_equal(read_image(folder / "levels" / "level_2.png"), expected.image)
+    assert not [file for file in folder.iterdir() if file.name.startswith(".")]
+
+
+def test_every_method_flag_reaches_the_parameters(scene, monkeypatch):
+    folder = scene[0]
+    seen = {}
+
+    def spy(*arguments, **options):
+        seen["params"] = arguments[3]
+        return stylize(*arguments, **options)
+
+    monkeypatch.setattr("stylit_ref.cli.stylize", spy)
+    run(
+        folder, "--patch-size", 3, "--pyramid-levels", 1, "--search-vote-iters", 2,
+        "--patchmatch-iters", 3, "--uniformity", 7, "--guide-influence", 4,
+        "--schedule", "scanline", "--weight", 0.5,
+    )  # fmt: skip
+    assert seen["params"] == Params(
+        patch_width=3,
+        levels=1,
+        votes=2,
+        patchmatch_iterations=3,
+        uniformity=7,
+        guide_influence=4,
+        guide_weights=(1.0, 0.5),
+        schedule="scanline",
+    )
+
+
+def test_weight_without_guide(scene, capsys):
+    with pytest.raises(SystemExit) as caught:
+        main(["run", "--weight", "2", "--style", "s.png", "--output", "o.png"])
+    assert caught.value.code == 2
+    assert "must follow the --guide" in capsys.readouterr().err
+
+
+def test_progress_shows_the_energy(scene, monkeypatch, capfd):
+    folder = scene[0]
+    monkeypatch.setattr("sys.stderr.isatty", lambda: True, raising=False)
+    assert run(folder) == 0
+    last = capfd.readouterr().err.strip().split("\r")[-1]
+    assert re.search(r"100%.*level 2/2  φ \d+ = δ \d+ \+ λρ \d+", last)
+
+
+def test_mask_without_fill_is_transparent(scene):
+    folder = scene[0]
+    mask = np.zeros((38, 44), np.uint8)
+    mask[10:30, 10:30] = 255
+    write_image(folder / "mask.png", mask)
+    assert run(folder, "--mask", folder / "mask.png") == 0
+    np.testing.assert_array_equal(read_image(folder / "out.png")[:, :, 3], 255 - mask)
+
+
+def test_mask_with_fill(scene):
+    folder = scene[0]
+    mask = np.zeros((38, 44), np.uint8)
+    mask[10:30, 10:30] = 255
+    fill = np.full((38, 44, 3), 77, np.uint8)
+    write_image(folder / "mask.png", mask)
+    write_image(folder / "fill.png", fill)
+    assert run(folder, "--mask", folder / "mask.png", "--fill", folder / "fill.png") == 0
+    assert (read_image(folder / "out.png")[mask > 0] == 77).all()
+
+
+def test_exr_layers_as_guides(scene):
+    """Layers of linear light give the result of the same guides as display values."""
+    folder, _, sources, targets = scene
+    for side, guides in (("source", sources), ("target", targets)):
+        first, second = (to_linear(guide) for guide in guides)
+        channels = {f"LDE.{name}": first[:, :, c] for c, name in enumerate("RGB")}
+        write_exr(folder / f"{side}.exr", channels | {"ID.Y": second[:, :, 0]}, second.shape[:2])
+    command = ["run", "--style", f"{folder}/style.png", "--output", f"{folder}/exr.png", *QUICK]
+    for layer in ("LDE", "ID"):
+        command += ["--guide", f"{folder}/source.exr:{layer}", f"{folder}/target.exr:{layer}"]
+    assert main(command) == 0
+    assert run(folder) == 0
+    np.testing.assert_array_equal(read_image(folder / "exr.png"), read_image(folder / "out.png"))
+
+
+def test_sixteen_bit_grey_and_alpha_styles(scene):
+    folder, style, *_ = scene
+    write_image(folder / "deep.png", style.astype(np.uint16) * 257)
+    write_image(folder / "grey.png", style[:, :, 0])
+    alpha = np.dstack([style, np.full(style.shape[:2], 200, np.uint8)])
+    alpha[:, :, :3] = np.minimum(alpha[:, :, :3], 200)
+    write_image(folder / "alpha.tif", alpha)
+    assert run(folder) == 0
+    reference = read_image(folder / "out.png")
+    assert run(folder, style="deep.png") == 0
+    np.testing.assert_array_equal(read_image(folder / "out.png"), reference)
+    assert run(folder, style="grey.png") == 0
+    assert read_image(folder / "out.png").shape == (38, 44, 1)
+    assert run(folder, style="alpha.tif") == 0
+    assert (read_image(folder / "out.png")[:, :, 3] == 200).all()
+
+
+def test_replay(scene):
+    folder, style, *_ = scene
+    assert run(folder, "--nnf", folder / "nnf.npy") == 0
+    replay = ["replay", "--nnf", f"{folder / 'nnf.npy'}", "--output", f"{folder / 'again.png'}"]
+    assert main([*replay, "--style", f"{folder / 'style.png'}"]) == 0
+    again = read_image(folder / "again.png")
+    np.testing.assert_array_equal(again, read_image(folder / "out.png"))
+
+    large = (style.astype(np.uint16) * 257).repeat(2, axis=0).repeat(2, axis=1)
+    write_image(folder / "large.tif", large)
+    assert main([*replay, "--style", f"{folder / 'large.tif'}", "--scale", "2"]) == 0
+    assert read_image(folder / "again.png").shape == (76, 88, 3)
+    assert read_image(folder / "again.png").dtype == np.uint16
+
+
+class TestRefusals:
+    """One sentence, exit code 2, and no file."""
+
+    @pytest.fixture(autouse=True)
+    def _nothing_written(self, scene):
+        yield
+        assert not (scene[0] / "out.png").exists()
+
+    def test_style_and_guide_of_different_sizes(self, scene, capsys):
+        folder, style, *_ = scene
+        write_image(folder / "wide.png", np.pad(style, ((0, 0), (0, 9), (0, 0))))
+        message = refused(capsys, run(folder, style="wide.png"))
+        assert "46x40" in message
+        assert "55x40" in message
+
+    def test_even_patch(self, scene, capsys):
+        assert "odd" in refused(capsys, run(scene[0], "--patch-size", 4))
+
+    def test_patch_larger_than_the_image(self, scene, capsys):
+        message = refused(capsys, run(scene[0], "--patch-size", 41))
+        assert "41" in message
+        assert "46x40" in message
+
+    def test_fewer_target_guides_cannot_be_said(self, scene, capsys):
+        with pytest.raises(SystemExit) as caught:
+            main(["run", "--style", "s.png", "--output", "o.png", "--guide", "a.png"])
+        assert caught.value.code == 2
+        assert "--guide" in capsys.readouterr().err
+
+    def test_missing_file(self, scene, capsys):
+        message = refused(capsys, run(scene[0], style="none.png"))
+        assert "none.png: no such file" in message
+
+    def test_missing_layer(self, scene, capsys):
+        folder = scene[0]
+        write_exr(folder / "source_0.exr", {"LDE.R": 0.1, "LSE.R": 0.1}, (40, 46))
+        guides = ("source_0.exr:LDDE", "target_{}.png")
+        message = refused(capsys, run(folder, guides=guides))
+        assert "no layer 'LDDE'" in message
+        assert "LDE, LSE" in message
+
+    def test_nan(self, scene, capsys):
+        folder = scene[0]
+        write_exr(folder / "nan.exr", {"R": np.nan, "G": 0, "B": 0}, (40, 46))
+        message = refused(capsys, run(folder, style="nan.exr"))
+        assert "1840 pixels are NaN or infinite" in message
+
+    @pytest.mark.parametrize(
+        ("option", "value", "message"),
+        [
+            ("--output", "none/out.png", "does not exist"),
+            ("--output", "out.docx", "'.docx'"),
+            ("--nnf", "none/nnf.npy", "does not exist"),
+            ("--nnf", "nnf.txt", "written as .npy"),
+            ("--save-levels", "style.png", "style.png: cannot be made"),
+        ],
+    )
+    def test_unwritable_outputs(self, scene, capsys, option, value, message):
+        assert message in refused(capsys, run(scene[0], option, scene[0] / value))
+
+    @pytest.mark.skipif(os.geteuid() == 0, reason="root may write anywhere")
+    def test_folder_without_permission(self, scene, capsys, tmp_path):
+        locked = tmp_path / "locked"
+        locked.mkdir(mode=0o500)
+        assert "permission" in refused(capsys, run(scene[0], "--output", locked / "out.png"))
+
+    def test_fill_without_mask(self, scene, capsys):
+        assert "--mask" in refused(capsys, run(scene[0], "--fill", scene[0] / "style.png"))
+
+    def test_mask_of_another_size(self, scene, capsys):
+        folder = scene[0]
+        assert "(38, 44)" in refused(capsys, run(folder, "--mask", folder / "style.png"))
+
+    def test_replay_of_something_else(self, scene, capsys):
+        folder = scene[0]
+        (folder / "text.npy").write_text("no array")
+        np.save(folder / "objects.npy", np.array([{}], object), allow_pickle=True)
+        for name in ("none.npy", "text.npy", "objects.npy"):
+            replay = ["replay", "--nnf", f"{folder / name}", "--output", f"{folder / 'out.png'}"]
+            code = main([*replay, "--style", f"{folder / 'style.png'}"])
+            assert name in refused(capsys, code)
+
+
+def test_interruption_leaves_nothing(scene):
+    """Ctrl-C in the middle of the work: code 130, one sentence, no output."""
+    folder = scene[0]
+    command = [sys.executable, "-m", "stylit_ref.cli", "run", "--style", f"{folder}/style.png"]
+    command += ["--output", f"{folder}/out.png", "--nnf", f"{folder}/nnf.npy", "--quiet"]
+    command += ["--guide", f"{folder}/source_0.png", f"{folder}/target_0.png"]
+    command += ["--save-levels", f"{folder}/levels", "--search-vote-iters", "60000"]
+    command += ["--pyramid-levels", "1"]
+    process = subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
+    try:
+        limit = time.monotonic() + 120
+        while not (folder / "levels").exists() and time.monotonic() < limit:
+            time.sleep(0.1)
+        time.sleep(1)
+        process.send_signal(signal.SIGINT)
+        _, errors = process.communicate(timeout=120)
+    finally:
+        process.kill()
+    assert process.returncode == 130
+    assert errors.strip() == "stylit-ref: interrupted, nothing written"
+    assert not (folder / "out.png").exists()
+    assert not (folder / "nnf.npy").exists()
+    assert list((folder / "levels").iterdir()) == []

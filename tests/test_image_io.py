@@ -1,0 +1,194 @@
+"""Files in and out, written and read by OpenImageIO itself."""
+
+import numpy as np
+import OpenImageIO as oiio
+import pytest
+from exr_files import write_exr, write_parts
+
+from stylit_ref import InputError, read_image, read_uint8, to_uint8, write_image
+from stylit_ref.image_io import to_linear
+
+
+@pytest.fixture
+def image():
+    return np.random.default_rng(0).integers(0, 256, (6, 8, 3), dtype=np.uint8)
+
+
+@pytest.mark.parametrize("suffix", ["png", "tif", "exr"])
+@pytest.mark.parametrize("channels", [1, 2, 3, 4])
+def test_eight_bits_come_back(tmp_path, suffix, channels):
+    rng = np.random.default_rng(0)
+    image = rng.integers(0, 256, (6, 8, channels), dtype=np.uint8)
+    if channels in (2, 4):  # premultiplied, with whole transparency or none: PNG rounds others
+        image[..., -1:] = 255 * (rng.random((6, 8, 1)) < 0.5)
+        image[..., :-1] *= image[..., -1:] // 255
+    write_image(tmp_path / f"a.{suffix}", image)
+    np.testing.assert_array_equal(read_uint8(tmp_path / f"a.{suffix}"), image)
+
+
+@pytest.mark.parametrize("suffix", ["png", "tif"])
+def test_sixteen_bits_come_back(tmp_path, suffix):
+    image = np.random.default_rng(0).integers(0, 65536, (6, 8, 3), dtype=np.uint16)
+    write_image(tmp_path / f"a.{suffix}", image)
+    again = read_image(tmp_path / f"a.{suffix}")
+    assert again.dtype == np.uint16
+    np.testing.assert_array_equal(again, image)
+    expected = np.floor(image / 257 + 0.5)
+    np.testing.assert_array_equal(read_uint8(tmp_path / f"a.{suffix}"), expected)
+
+
+def test_float_comes_back(tmp_path):
+    image = np.random.default_rng(0).uniform(-1, 9, (6, 8, 3)).astype(np.float32)
+    write_image(tmp_path / "a.exr", image)
+    np.testing.assert_array_equal(read_image(tmp_path / "a.exr"), image)
+
+
+def test_two_dimensional_and_strided_images(tmp_path, image):
+    write_image(tmp_path / "a.png", image[:, ::2, 1])
+    np.testing.assert_array_equal(read_image(tmp_path / "a.png")[:, :, 0], image[:, ::2, 1])
+
+
+def test_float_is_scene_linear():
+    linear = np.array([-1, 0, 0.0031308, 0.18, 0.5, 1, 7], np.float32)
+    np.testing.assert_array_equal(to_uint8(linear), [0, 0, 10, 118, 188, 255, 255])
+
+
+def test_linear_and_display_are_inverse():
+    every = np.arange(256, dtype=np.uint8)
+    np.testing.assert_array_equal(to_uint8(to_linear(every)), every)
+
+
+def test_alpha_stays_linear(tmp_path):
+    write_exr(tmp_path / "a.exr", {"R": 0.5, "G": 0.5, "B": 0.5, "A": 0.5})
+    np.testing.assert_array_equal(read_uint8(tmp_path / "a.exr")[0, 0], [188, 188, 188, 128])
+
+
+def test_opaque_alpha_is_dropped(tmp_path, image):
+    write_image(tmp_path / "a.png", np.dstack([image, np.full((6, 8), 255, np.uint8)]))
+    np.testing.assert_array_equal(read_uint8(tmp_path / "a.png"), image)
+
+
+def test_layers_are_found_by_name(tmp_path):
+    """Channels are stored in alphabetical order, whatever order they were written in."""
+    file = write_exr(
+        tmp_path / "a.exr",
+        {"LDE.R": 0.1, "LDE.G": 0.2, "LDE.B": 0.3, "B": 0.6, "G": 0.5, "R": 0.4, "Z": 9.0}
+        | {"N.X": -1.0, "N.Y": 0.0, "N.Z": 1.0, "ID.Y": 0.25},
+    )
+    for layer, expected in (
+        ("", [0.4, 0.5, 0.6]),
+        (":LDE", [0.1, 0.2, 0.3]),
+        (":N", [-1, 0, 1]),
+        (":ID", [0.25]),
+    ):
+        np.testing.assert_allclose(read_image(f"{file}{layer}")[2, 3], expected, atol=1e-3)
+
+
+def test_layers_as_parts(tmp_path):
+    file = write_parts(tmp_path / "a.exr", {"beauty": 0.25, "LDE": 0.5, "LSE": 0.75})
+    assert read_image(f"{file}:LSE")[0, 0, 0] == 0.75
+    assert read_image(f"{file}:beauty")[0, 0, 0] == 0.25
+    assert read_image(file)[0, 0, 0] == 0.25
+
+
+def test_the_only_layer_needs_no_name(tmp_path):
+    file = write_exr(tmp_path / "a.exr", {"V.R": 0.1, "V.G": 0.2, "V.B": 0.3})
+    np.testing.assert_allclose(read_image(file)[0, 0], [0.1, 0.2, 0.3], atol=1e-3)
+
+
+def test_display_window_is_what_is_read(tmp_path):
+    """A crop in the file lies where it belongs, with zeros around it."""
+    file = write_exr(tmp_path / "a.exr", {"R": 1, "G": 1, "B": 1}, data_window=(2, 1, 12, 10))
+    image = read_image(file)
+    assert image.shape == (10, 12, 3)
+    expected = np.zeros((10, 12))
+    expected[1:7, 2:10] = 1
+    np.testing.assert_array_equal(image[:, :, 0], expected)
+
+
+def test_a_colon_in_a_file_name(tmp_path, image):
+    write_image(tmp_path / "a:b.png", image)
+    np.testing.assert_array_equal(read_image(tmp_path / "a:b.png"), image)
+
+
+@pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
+def test_not_finite(tmp_path, value):
+    plane = np.zeros((6, 8), np.float32)
+    plane[2, 5] = value
+    file = write_exr(tmp_path / "a.exr", {"R": plane, "G": 0, "B": 0})
+    with pytest.raises(InputError, match=r"a.exr: 1 pixels are NaN or infinite.*\(2, 5\)"):
+        read_uint8(file)
+
+
+def test_missing_layer_lists_what_there_is(tmp_path):
+    file = write_exr(tmp_path / "a.exr", {"LDE.R": 0.1, "LSE.R": 0.2})
+    with pytest.raises(InputError, match="no layer 'LDDE'; its named layers are: LDE, LSE"):
+        read_image(f"{file}:LDDE")
+    with pytest.raises(InputError, match="no unnamed layer; its named layers are: LDE, LSE"):
+        read_image(file)
+
+
+def test_unreadable_inputs(tmp_path):
+    (tmp_path / "text.png").write_text("no image")
+    for path, message in (
+        (tmp_path / "none.png", "none.png: no such file"),
+        (f"{tmp_path / 'none.exr'}:LDE", "none.exr: no such file"),
+        (tmp_path, "is a folder"),
+        (tmp_path / "text.png", "text.png: cannot be read"),
+    ):
+        with pytest.raises(InputError, match=message):
+            read_image(path)
+
+
+def test_truncated_file(tmp_path, image):
+    write_image(tmp_path / "a.png", image)
+    whole = (tmp_path / "a.png").read_bytes()
+    (tmp_path / "a.png").write_bytes(whole[: len(whole) // 2])
+    with pytest.raises(InputError, match="cannot be read"):
+        read_image(tmp_path / "a.png")
+
+
+@pytest.mark.parametrize(
+    ("name", "message"),
+    [
+        ("none/a.png", "folder .*none does not exist"),
+        ("a.xyz", "no image format is known by the suffix '.xyz'"),
+        ("a", "suffix ''"),
+        ("taken.png", "is a folder"),
+    ],
+)
+def test_unwritable_outputs(tmp_path, image, name, message):
+    (tmp_path / "taken.png").mkdir()
+    with pytest.raises(InputError, match=message):
+        write_image(tmp_path / name, image)
+    assert [file.name for file in tmp_path.iterdir()] == ["taken.png"]
+
+
+def test_jpeg_has_no_alpha(tmp_path, image):
+    with pytest.raises(InputError, match="jpeg files have no transparency"):
+        write_image(tmp_path / "a.jpg", np.dstack([image, image[:, :, 0]]))
+
+
+def test_an_interrupted_write_leaves_the_old_file(tmp_path, image, monkeypatch):
+    file = tmp_path / "a.png"
+    write_image(file, image)
+    before = file.read_bytes()
+
+    class Interrupted:
+        def __init__(self, output):
+            self.output = output
+
+        def __getattr__(self, name):
+            return getattr(self.output, name)
+
+        def write_image(self, pixels):
+            raise KeyboardInterrupt
+
+    create = oiio.ImageOutput.create
+    monkeypatch.setattr(
+        "stylit_ref.image_io.oiio.ImageOutput.create", lambda path: Interrupted(create(path))
+    )
+    with pytest.raises(KeyboardInterrupt):
+        write_image(file, 255 - image)
+    assert file.read_bytes() == before
+    assert list(tmp_path.iterdir()) == [file]

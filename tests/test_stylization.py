@@ -1,0 +1,295 @@
+"""``stylize`` as a user calls it."""
+
+import numpy as np
+import pytest
+from small_scene import small_scene
+
+from stylit_ref import InputError, Params, replay, stylize
+
+QUICK = Params(levels=3, votes=2, patchmatch_iterations=2)
+
+
+def quick(schedule="propose_commit", **changes):
+    values = {"levels": 3, "votes": 2, "patchmatch_iterations": 2, "schedule": schedule}
+    return Params(**(values | changes))
+
+
+def assert_same(a, b):
+    for name in ("image", "nnf", "omega", "error"):
+        np.testing.assert_array_equal(getattr(a, name), getattr(b, name), err_msg=name)
+    assert a.history == b.history
+
+
+@pytest.mark.parametrize("schedule", ["propose_commit", "scanline"])
+def test_result_has_the_promised_form(schedule):
+    scene = small_scene()
+    result = stylize(*scene, quick(schedule))
+    assert result.image.shape == (38, 44, 3)
+    assert result.image.dtype == np.uint8
+    assert result.nnf.shape == (38, 44, 2)
+    assert result.nnf.dtype == np.int32
+    assert result.nnf.min() >= 2
+    assert (result.nnf.max(axis=(0, 1)) <= (37, 43)).all()
+    assert result.omega.shape == (40, 46)
+    assert result.omega.sum() == 25 * 38 * 44
+    assert result.error.shape == (38, 44)
+    assert result.error.dtype == np.float32
+    assert np.isfinite(result.error).all()
+    assert len(result.history) == 3 * 2 * 2
+    assert [step.done for step in result.history] == sorted(step.done for step in result.history)
+    assert result.history[-1].done == 1
+
+
+@pytest.mark.parametrize("threads", [1, 2])
+def test_same_seed_same_bytes_with_any_number_of_threads(threads):
+    import numba
+
+    if threads > numba.config.NUMBA_NUM_THREADS:
+        pytest.skip(f"this machine offers {numba.config.NUMBA_NUM_THREADS} threads")
+    scene = small_scene()
+    first = stylize(*scene, QUICK, seed=3, threads=1)
+    for _ in range(2):
+        assert_same(first, stylize(*scene, QUICK, seed=3, threads=threads))
+
+
+def test_another_seed_is_another_result():
+    scene = small_scene()
+    a, b = (stylize(*scene, QUICK, seed=seed) for seed in (0, 1 << 63))
+    assert (a.nnf != b.nnf).any()
+
+
+@pytest.mark.parametrize(
+    ("guide_channels", "style_channels"), [((1,), 1), ((3, 3, 1), 2), ((3,) * 8, 4), ((31,), 3)]
+)
+def test_any_number_of_channels(guide_channels, style_channels):
+    scene = small_scene(guide_channels=guide_channels, style_channels=style_channels)
+    result = stylize(*scene, QUICK)
+    assert result.image.shape[2] == style_channels
+    assert result.error.mean() < result.history[0].delta
+
+
+def test_grey_style_without_a_channel_axis():
+    style, sources, targets = small_scene(style_channels=1)
+    flat = stylize(style[:, :, 0], sources, targets, QUICK)
+    assert flat.image.shape == (38, 44)
+    np.testing.assert_array_equal(flat.image, stylize(style, sources, targets, QUICK).image[..., 0])
+
+
+def test_target_like_the_source_gives_the_style_back():
+    style, sources, _ = small_scene()
+    params = Params(levels=3, votes=4, patchmatch_iterations=6, uniformity=1000)
+    result = stylize(style, sources, sources, params)
+    expected = np.stack(np.mgrid[:40, :46], axis=-1)
+    inside = np.s_[4:-4, 4:-4]
+    assert (result.nnf == expected)[inside].all(axis=2).mean() > 0.9
+    assert np.abs(result.image.astype(int) - style)[inside].mean() < 3
+
+
+def test_uniformity_spreads_usage():
+    scene = small_scene()
+    peaks = [stylize(*scene, quick(uniformity=value)).omega.max() for value in (0, 3000, 100000)]
+    assert peaks[0] > peaks[1] > peaks[2]
+
+
+def test_guide_weight_zero_ignores_a_guide():
+    style, sources, targets = small_scene(guide_channels=(3, 3))
+    noise = np.random.default_rng(9).integers(0, 256, targets[1].shape, dtype=np.uint8)
+    params = quick(guide_weights=(1.0, 0.0))
+    a = stylize(style, sources, targets, params)
+    b = stylize(style, sources, [targets[0], noise], params)
+    assert_same(a, b)
+
+
+def test_equal_weights_are_the_default():
+    scene = small_scene()
+    assert_same(stylize(*scene, QUICK), stylize(*scene, quick(guide_weights=(1.0, 1.0))))
+
+
+def test_progress_and_levels_are_reported():
+    scene = small_scene()
+    steps, levels = [], []
+    result = stylize(
+        *scene, QUICK, progress=steps.append, on_level=lambda level, image: levels.append(image)
+    )
+    assert tuple(steps) == result.history
+    assert [image.shape[:2] for image in levels] == [(9, 11), (19, 22), (38, 44)]
+    np.testing.assert_array_equal(levels[-1], result.image)
+
+
+def test_too_many_levels_are_reduced_and_said():
+    with pytest.warns(UserWarning, match="3 pyramid levels in place of 9"):
+        result = stylize(*small_scene(), quick(levels=9))
+    assert result.history[-1].levels == 3
+
+
+def test_a_target_of_one_patch_and_a_source_of_one_patch():
+    style, sources, targets = small_scene(source_size=(5, 5), target_size=(5, 5))
+    result = stylize(style, sources, targets, Params(levels=1, votes=1, patchmatch_iterations=1))
+    assert (result.nnf == 2).all()
+
+
+class TestMask:
+    mask = np.zeros((38, 44), bool)
+    mask[10:30, 8:36] = True
+
+    def test_masked_pixels_show_the_fill(self):
+        scene = small_scene()
+        fill = np.random.default_rng(1).integers(0, 256, (38, 44, 3), dtype=np.uint8)
+        result = stylize(*scene, QUICK, mask=self.mask, fill=fill)
+        np.testing.assert_array_equal(result.image[self.mask], fill[self.mask])
+        assert result.image.shape == (38, 44, 3)
+
+    def test_masked_pixels_are_transparent_without_fill(self):
+        result = stylize(*small_scene(), QUICK, mask=self.mask)
+        assert result.image.shape == (38, 44, 4)
+        np.testing.assert_array_equal(result.image[..., 3] == 0, self.mask)
+
+    @pytest.mark.parametrize("schedule", ["propose_commit", "scanline"])
+    def test_no_patch_is_spent_deep_inside(self, schedule):
+        result = stylize(*small_scene(), quick(schedule), mask=self.mask)
+        assert (result.nnf[12:28, 10:34] == -1).all()
+        assert np.isnan(result.error[12:28, 10:34]).all()
+        assigned = (result.nnf[..., 0] >= 0).sum()
+        assert assigned == 38 * 44 - 16 * 24
+        assert result.omega.sum() == 25 * assigned
+
+    def test_what_lies_under_the_mask_does_not_matter(self):
+        """Guides more than two radii inside the mask are never read at the finest level."""
+        style, sources, targets = small_scene()
+        changed = [target.copy() for target in targets]
+        changed[0][15:25, 13:31] = 255
+        one_level = quick(levels=1)
+        a, b = (
+            stylize(style, sources, guides, one_level, mask=self.mask)
+            for guides in (targets, changed)
+        )
+        assert_same(a, b)
+
+    def test_an_empty_mask_changes_nothing(self):
+        scene = small_scene()
+        empty = np.zeros((38, 44), bool)
+        assert_same(stylize(*scene, QUICK), stylize(*scene, QUICK, mask=empty))
+
+
+class TestReplay:
+    @pytest.mark.parametrize("patch_width", [3, 5])
+    def test_replay_of_the_style_is_the_image(self, patch_width):
+        scene = small_scene()
+        result = stylize(*scene, quick(patch_width=patch_width))
+        again = replay(result.nnf, scene[0], patch_width=patch_width)
+        np.testing.assert_array_equal(again, result.image)
+
+    def test_sixteen_bits_stay_sixteen(self):
+        style, *guides = small_scene()
+        result = stylize(style, *guides, QUICK)
+        deep = replay(result.nnf, style.astype(np.uint16) * 257)
+        assert deep.dtype == np.uint16
+        assert np.abs(deep / 257 - result.image).max() <= 0.51
+        assert len(np.unique(deep)) > 256
+
+    def test_float_is_not_rounded(self):
+        style, *guides = small_scene()
+        result = stylize(style, *guides, QUICK)
+        image = replay(result.nnf, style.astype(np.float32) / 255)
+        assert image.dtype == np.float32
+        np.testing.assert_allclose(image * 255, result.image, atol=0.51)
+
+    def test_enlarged_style(self):
+        style, *guides = small_scene()
+        result = stylize(style, *guides, QUICK)
+        large = replay(result.nnf, style.repeat(3, axis=0).repeat(3, axis=1), scale=3)
+        np.testing.assert_array_equal(large, result.image.repeat(3, axis=0).repeat(3, axis=1))
+
+    def test_unassigned_pixels_are_zero(self):
+        style, *guides = small_scene()
+        result = stylize(style, *guides, QUICK, mask=TestMask.mask)
+        image = replay(result.nnf, style)
+        assert (image[14:26, 12:32] == 0).all()
+        visible = ~TestMask.mask
+        np.testing.assert_array_equal(image[visible], result.image[visible][:, :3])
+
+    @pytest.mark.parametrize(
+        ("change", "message"),
+        [
+            ({"nnf": np.zeros((4, 4, 2))}, "float64"),
+            ({"nnf": np.zeros((4, 4), np.int32)}, r"shape \(4, 4\)"),
+            ({"style": np.zeros((20, 20, 3), np.uint8)}, "20x20"),
+            ({"style": np.zeros((40, 46, 3))}, "float64"),
+            ({"patch_width": 4}, "patch_width is 4"),
+            ({"scale": 3}, "multiples of the scale 3"),
+        ],
+        ids=str,
+    )
+    def test_bad_input(self, change, message):
+        nnf = np.full((8, 8, 2), 36, np.int32)
+        arguments = {"nnf": nnf, "style": np.zeros((40, 46, 3), np.uint8)} | change
+        with pytest.raises(InputError, match=message):
+            replay(**arguments)
+
+
+def bad_scene(**changes):
+    style, sources, targets = small_scene()
+    return {"style": style, "source_guides": sources, "target_guides": targets} | changes
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"source_guides": []}, "0 source guides and 2 target guides"),
+        ({"source_guides": [], "target_guides": []}, "no guides"),
+        ({"style": np.zeros((40, 47, 3), np.uint8)}, "46x40 but the style is 47x40"),
+        ({"style": np.zeros((40, 46, 5), np.uint8)}, "5 channels"),
+        ({"style": np.zeros((40, 46, 3))}, "float64"),
+        ({"style": np.zeros(40, np.uint8)}, r"shape \(40,\)"),
+        ({"style": np.zeros((0, 46, 3), np.uint8)}, r"shape \(0, 46, 3\)"),
+        ({"params": Params(guide_weights=(1.0,))}, "1 guide weights for 2 guides"),
+        ({"params": Params(patch_width=41)}, "source is 46x40"),
+        ({"params": Params(patch_width=39, levels=1)}, "target is 44x38"),
+        ({"params": Params(uniformity=1e15)}, "uniformity 1e"),
+        ({"params": Params(guide_weights=(1e9, 1.0))}, "guide weight 1e"),
+        ({"seed": -1}, "seed is -1"),
+        ({"seed": 1 << 64}, "seed is"),
+        ({"threads": 0}, "threads is 0"),
+        ({"threads": 100000}, "threads is 100000"),
+        ({"backend": "cuda"}, "'cuda'"),
+        ({"mask": np.ones((38, 44), bool)}, "whole target"),
+        ({"mask": np.zeros((38, 43), bool)}, r"\(38, 43\)"),
+        ({"mask": np.zeros((38, 44))}, "float64"),
+        ({"mask": np.eye(38, 44, dtype=bool), "fill": np.zeros((38, 43, 3), np.uint8)}, "43x38"),
+    ],
+    ids=lambda value: value if isinstance(value, str) else ",".join(value),
+)
+def test_bad_input_is_one_sentence(change, message):
+    with pytest.raises(InputError, match=message) as caught:
+        stylize(**bad_scene(**change))
+    assert "\n" not in str(caught.value)
+
+
+def test_guides_of_different_sizes_or_channels():
+    style, sources, targets = small_scene()
+    with pytest.raises(InputError, match="target guide 2 is 40x38 but target guide 1 is 44x38"):
+        stylize(style, sources, [targets[0], targets[1][:, :40]])
+    with pytest.raises(InputError, match="source guide 1 has 3 channels and target guide 1 has 1"):
+        stylize(style, sources, [targets[0][:, :, :1], targets[1]])
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"patch_width": 4}, "odd"),
+        ({"patch_width": 1}, "from 3"),
+        ({"patch_width": 5.0}, "odd integer"),
+        ({"levels": 0}, "levels is 0"),
+        ({"votes": -1}, "votes is -1"),
+        ({"patchmatch_iterations": 1.5}, "patchmatch_iterations is 1.5"),
+        ({"uniformity": -1}, "uniformity is -1"),
+        ({"uniformity": float("nan")}, "uniformity is nan"),
+        ({"guide_influence": float("inf")}, "guide_influence is inf"),
+        ({"guide_weights": (1.0, -2.0)}, "guide weight -2.0"),
+        ({"schedule": "live"}, "'live'"),
+    ],
+    ids=str,
+)
+def test_bad_parameters(change, message):
+    with pytest.raises(InputError, match=message):
+        Params(**change)
