@@ -3,8 +3,9 @@
 >>> from stylit_ref import Params, read_uint8, stylize, write_image
 """
 
+from stylit_ref.bit_depth import to_uint8
 from stylit_ref.errors import InputError
-from stylit_ref.image_io import read_image, read_uint8, to_uint8, write_image
+from stylit_ref.image_io import read_image, read_uint8, write_image
 from stylit_ref.params import Params
 from stylit_ref.replaying import replay
 from stylit_ref.stylization import Result, stylize

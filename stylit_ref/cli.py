@@ -9,6 +9,7 @@ import numpy as np
 from tqdm import tqdm
 
 from stylit_ref import __version__
+from stylit_ref.checks import check_guides
 from stylit_ref.errors import InputError
 from stylit_ref.image_io import check_image_writable, read_image, read_uint8, write_image
 from stylit_ref.output_file import check_writable, whole_file
@@ -142,6 +143,7 @@ def _run(options):
     style = read_uint8(options.style)
     source_guides = [read_uint8(source) for source, _ in options.guide]
     target_guides = [read_uint8(target) for _, target in options.guide]
+    check_guides(style, source_guides, target_guides, *zip(*options.guide, strict=True))
     mask = fill = None
     if options.mask:
         mask = read_uint8(options.mask).mean(axis=2) >= 128

@@ -1,19 +1,17 @@
 """Image files in and out through OpenImageIO: PNG, TIFF, JPEG, (multilayer) EXR, ...
 
-The synthesis works on 8-bit values as they are displayed. Deeper files are converted
-on reading: 16-bit integers by ``round(v / 257)``; floating point, which is taken as
-scene-linear light, by the sRGB transfer curve after clipping to [0, 1] (alpha stays
-linear). An alpha channel that is opaque everywhere carries nothing and is dropped;
-otherwise colours are premultiplied by it, as OpenImageIO has it, so that averages of
-transparent pixels come out right.
+Files are read at their own depth or converted to 8 bits (:mod:`stylit_ref.bit_depth`).
+An alpha channel that is opaque everywhere carries nothing and is dropped; otherwise
+colours are premultiplied by it, as OpenImageIO has it, so that averages of transparent
+pixels come out right.
 """
 
 from pathlib import Path
 
 import numpy as np
 import OpenImageIO as oiio
-from skimage.util import img_as_float32
 
+from stylit_ref.bit_depth import to_linear, to_uint8
 from stylit_ref.errors import InputError
 from stylit_ref.output_file import check_writable, whole_file
 
@@ -22,48 +20,6 @@ FLOAT_FORMATS = (".exr", ".hdr", ".pfm")
 
 _COLOURS = "RGBYA"
 _CHANNEL_ORDER = "RGBXYZUVA"
-
-
-def to_uint8(image, alpha_channel=None):
-    """Convert an image to 8 bits as displayed.
-
-    Parameters
-    ----------
-    image : (H, W, ...) uint8, uint16 or floating point
-        Floating point is scene-linear light.
-    alpha_channel : int, optional
-        Channel that is not light and stays linear.
-
-    Returns
-    -------
-    array of the same shape, uint8
-
-    Raises
-    ------
-    InputError
-        For another dtype.
-    """
-    image = np.asarray(image)
-    if image.dtype == np.uint8:
-        return image
-    if image.dtype == np.uint16:
-        return ((image.astype(np.uint32) + 128) // 257).astype(np.uint8)
-    if not np.issubdtype(image.dtype, np.floating):
-        raise InputError(f"image has dtype {image.dtype}; it must be uint8, uint16 or float")
-    linear = np.clip(image.astype(np.float32), 0, 1)
-    encoded = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
-    if alpha_channel is not None:
-        encoded[..., alpha_channel] = linear[..., alpha_channel]
-    return np.floor(encoded * 255 + 0.5).astype(np.uint8)
-
-
-def to_linear(image):
-    """Invert the sRGB curve: integers as displayed to float32 scene-linear light."""
-    encoded = img_as_float32(image)
-    linear = np.where(encoded <= 0.04045, encoded / 12.92, ((encoded + 0.055) / 1.055) ** 2.4)
-    if image.ndim == 3 and image.shape[2] in (2, 4):
-        linear[..., -1] = encoded[..., -1]
-    return linear.astype(np.float32)
 
 
 def read_image(path):
@@ -89,7 +45,7 @@ def read_image(path):
 
 
 def read_uint8(path):
-    """Read an image as 8-bit display values (see the module's description).
+    """Read an image as 8-bit display values.
 
     Parameters and errors are those of :func:`read_image`.
 

@@ -42,7 +42,7 @@ def fill_masked(image, mask, fill):
     """
     if fill is not None:
         filled = image.copy()
-        filled[mask] = fill.reshape(image.shape)[mask]
+        filled[mask] = np.reshape(fill, image.shape)[mask]
         return filled
     if image.shape[2] % 2:
         opaque = np.full((*image.shape[:2], 1), 255, np.uint8)

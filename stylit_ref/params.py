@@ -34,7 +34,7 @@ class Params:
         A factor for each guide's share of μ; 1 for every guide by default.
     schedule : {"propose_commit", "scanline"}
         How PatchMatch proceeds and when Ω changes
-        (:mod:`stylit_ref.texture_optimization`).
+        (:mod:`stylit_ref.patchmatch`).
 
     Raises
     ------

@@ -1,18 +1,6 @@
-"""Texture optimization, coarse to fine (thesis 2.3, 2.4, 3.3, 3.4).
+"""Texture optimization, coarse to fine (thesis 2.3, 3.4).
 
-Sequences of passes, written once: the module of passes is an argument.
-
-Two schedules of PatchMatch differ in when the occurrence map Ω changes:
-
-``scanline``
-    Thesis 2.4: patch after patch, Ω live. Sequential, the plainest reference.
-``propose_commit``
-    The default. Each kernel of thesis 3.3 (propagation at 4, at 2, at 1, then random
-    search) runs over the whole target with Ω frozen and only *proposes*. Then its
-    proposals *commit*, in 16 interleaved classes of pixels one after another: a pixel
-    moves if φ still falls with Ω as it stands, and Ω is brought up to date after each
-    class. The thesis updates Ω with atomics while its kernels run, which no two runs
-    repeat; this gives the same bytes with any number of threads.
+A sequence of passes, written once: the module of passes is an argument.
 """
 
 from collections.abc import Callable
@@ -20,19 +8,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from stylit_ref.formulae.bounded_metric import Textures
-from stylit_ref.formulae.commit_classes import CLASS_STRIDE, commit_order
-from stylit_ref.formulae.random_stream import (
-    COMMIT_ORDER,
-    RANDOM_NNF,
-    RANDOM_SEARCH,
-    random_stream,
-)
-from stylit_ref.packing import ONE, Packing, occurrence_weight
+from stylit_ref.formulae.random_stream import RANDOM_NNF, random_stream
+from stylit_ref.level import Level
+from stylit_ref.packing import Packing
 from stylit_ref.params import Params
-
-PROPAGATION_DISTANCES = (4, 2, 1)
-"""Jump flood distances (thesis 3.3)."""
+from stylit_ref.patchmatch import SCHEDULES
 
 
 @dataclass(frozen=True)
@@ -65,76 +45,6 @@ class Step:
     penalization: float
     moved: int | None
     done: float
-
-
-class Level:
-    """Textures, assignments and occurrence maps of one pyramid level."""
-
-    def __init__(self, passes, packing, params, source, target, synthesized):
-        self.passes, self.packing, self.params = passes, packing, params
-        self.patch_width = params.patch_width
-        radius = self.patch_width // 2
-        height, width = target.shape[:2]
-        padded = np.pad(target, ((radius, radius), (radius, radius), (0, 0)), mode="edge")
-        self.textures = Textures(
-            source=source,
-            target=padded,
-            source_sums=np.zeros(source.shape, np.int16),
-            target_sums=np.zeros(target.shape, np.int16),
-            weights=packing.weights,
-            pair_weights=packing.pair_weights,
-        )
-        passes.patch_sums(source, self.textures.source_sums, self.patch_width, radius)
-        passes.patch_sums(padded, self.textures.target_sums, self.patch_width, 0)
-
-        self.nnf = np.where(synthesized[:, :, None], np.int32(0), np.int32(-1)).repeat(2, axis=2)
-        self.delta = np.zeros((height, width), np.int64)
-        self.proposed_nnf, self.proposed_delta = self.nnf.copy(), self.delta.copy()
-        self.omega, self.omega_sums = np.zeros((2, *source.shape[:2]), np.int32)
-        self.target_patches = np.count_nonzero(synthesized)
-        self.occurrence_weight = occurrence_weight(
-            params.uniformity,
-            self.patch_width,
-            source.shape[0] * source.shape[1],
-            self.target_patches,
-        )
-
-    @property
-    def style(self):
-        """The synthesized style B' as it stands, (H_B, W_B, n) uint8 view."""
-        radius = self.patch_width // 2
-        return self.packing.style(self.textures.target)[radius:-radius, radius:-radius]
-
-    def init_occurrence_map(self):
-        """InitOccurrenceMap (2.3): Ω and W of the NNF as it stands."""
-        self.passes.occurrence_map(self.nnf, self.omega, self.omega_sums, self.patch_width)
-
-    def vote(self):
-        """E-step of 2.3: B' from the NNF; then δ of the NNF with the new B'."""
-        self.passes.vote(
-            self.textures.source,
-            self.textures.target,
-            self.nnf,
-            self.patch_width,
-            self.packing.style_channel,
-            self.packing.style_channels,
-        )
-        self.passes.patch_sums(
-            self.textures.target,
-            self.textures.target_sums,
-            self.patch_width,
-            0,
-            self.packing.style_channel,
-        )
-        self.update_similarity()
-
-    def update_similarity(self):
-        self.passes.similarity(self.textures, self.patch_width, self.nnf, self.delta)
-
-    def energy(self):
-        """Mean δ and mean λρ, in the thesis' units."""
-        delta, omega_sum = self.passes.energy(self.nnf, self.delta, self.omega_sums)
-        return delta / ONE, self.occurrence_weight * omega_sum / ONE
 
 
 def texture_optimization(
@@ -219,44 +129,3 @@ def texture_optimization(
         level.init_occurrence_map()
         on_level(level_number, level.style)
     return level
-
-
-def propose_commit(level, seed, level_number, vote, iteration):
-    """One PatchMatch iteration of the default schedule; returns how many patches moved."""
-    passes = level.passes
-    classes = commit_order(random_stream(seed, COMMIT_ORDER, level_number, vote, iteration))
-    search_stream = random_stream(seed, RANDOM_SEARCH, level_number, vote, iteration)
-    proposal = (
-        level.textures, level.omega_sums, level.occurrence_weight, level.patch_width,
-        level.nnf, level.delta, level.proposed_nnf, level.proposed_delta,
-    )  # fmt: skip
-    commitment = (
-        level.nnf, level.delta, level.proposed_nnf, level.proposed_delta,
-        level.omega_sums, level.occurrence_weight, level.patch_width, classes, CLASS_STRIDE,
-    )  # fmt: skip
-    moved = 0
-    for distance in PROPAGATION_DISTANCES:
-        passes.propagation(*proposal, distance)
-        moved += passes.commit(*commitment)
-    passes.random_search(*proposal, search_stream)
-    return moved + passes.commit(*commitment)
-
-
-def scanline(level, seed, level_number, vote, iteration):
-    """One PatchMatch iteration of thesis 2.4, Ω live."""
-    level.passes.scanline(
-        level.textures.source,
-        level.textures.target,
-        level.textures.weights,
-        level.omega,
-        level.occurrence_weight,
-        level.patch_width,
-        level.nnf,
-        random_stream(seed, RANDOM_SEARCH, level_number, vote, iteration),
-        iteration % 2 == 0,
-    )
-    level.update_similarity()
-    level.init_occurrence_map()
-
-
-SCHEDULES = {"propose_commit": propose_commit, "scanline": scanline}

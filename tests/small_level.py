@@ -4,8 +4,8 @@ import numpy as np
 
 from stylit_ref import Params, passes
 from stylit_ref.formulae.random_stream import RANDOM_NNF, random_stream
+from stylit_ref.level import Level
 from stylit_ref.packing import make_packing
-from stylit_ref.texture_optimization import Level
 
 
 def make_level(

@@ -6,7 +6,7 @@ import pytest
 from exr_files import write_exr, write_parts
 
 from stylit_ref import InputError, read_image, read_uint8, to_uint8, write_image
-from stylit_ref.image_io import to_linear
+from stylit_ref.bit_depth import to_linear
 
 
 @pytest.fixture

@@ -253,7 +253,7 @@ def bad_scene(**changes):
         ({"threads": 100000}, "threads is 100000"),
         ({"backend": "cuda"}, "'cuda'"),
         ({"mask": np.ones((38, 44), bool)}, "whole target"),
-        ({"mask": np.zeros((38, 43), bool)}, r"\(38, 43\)"),
+        ({"mask": np.zeros((38, 43), bool)}, "mask is 43x38 but the target is 44x38"),
         ({"mask": np.zeros((38, 44))}, "float64"),
         ({"mask": np.eye(38, 44, dtype=bool), "fill": np.zeros((38, 43, 3), np.uint8)}, "43x38"),
     ],

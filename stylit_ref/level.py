@@ -1,0 +1,93 @@
+"""One pyramid level: its textures, its assignments, and what follows from them."""
+
+import numpy as np
+
+from stylit_ref.formulae.bounded_metric import Textures
+from stylit_ref.packing import ONE, occurrence_weight
+
+
+class Level:
+    """Textures, assignments and occurrence maps of one pyramid level.
+
+    Attributes
+    ----------
+    textures : Textures
+        Ā and B̄, B' included, with their patch sums.
+    nnf : (H_B, W_B, 2) int32
+        Source patch centre of each target pixel; -1 where a mask leaves it alone.
+    delta : (H_B, W_B) int64
+        δ of each assignment in fixed point.
+    proposed_nnf, proposed_delta : like ``nnf`` and ``delta``
+        NNF' of the thesis.
+    omega, omega_sums : (H_A, W_A) int32
+        Ω, and W: Ω summed over each patch. The search keeps the one it reads up to
+        date; ``init_occurrence_map`` makes both anew.
+    occurrence_weight : int
+        Weight of W in φ.
+    """
+
+    def __init__(self, passes, packing, params, source, target, synthesized):
+        self.passes, self.packing = passes, packing
+        self.patch_width = params.patch_width
+        radius = self.patch_width // 2
+        height, width = target.shape[:2]
+        padded = np.pad(target, ((radius, radius), (radius, radius), (0, 0)), mode="edge")
+        self.textures = Textures(
+            source=source,
+            target=padded,
+            source_sums=np.zeros(source.shape, np.int16),
+            target_sums=np.zeros(target.shape, np.int16),
+            weights=packing.weights,
+            pair_weights=packing.pair_weights,
+        )
+        passes.patch_sums(source, self.textures.source_sums, self.patch_width, radius)
+        passes.patch_sums(padded, self.textures.target_sums, self.patch_width, 0)
+
+        self.nnf = np.where(synthesized[:, :, None], np.int32(0), np.int32(-1)).repeat(2, axis=2)
+        self.delta = np.zeros((height, width), np.int64)
+        self.proposed_nnf, self.proposed_delta = self.nnf.copy(), self.delta.copy()
+        self.omega, self.omega_sums = np.zeros((2, *source.shape[:2]), np.int32)
+        self.target_patches = np.count_nonzero(synthesized)
+        self.occurrence_weight = occurrence_weight(
+            params.uniformity,
+            self.patch_width,
+            source.shape[0] * source.shape[1],
+            self.target_patches,
+        )
+
+    @property
+    def style(self):
+        """The synthesized style B' as it stands, (H_B, W_B, n) uint8 view."""
+        radius = self.patch_width // 2
+        return self.packing.style(self.textures.target)[radius:-radius, radius:-radius]
+
+    def init_occurrence_map(self):
+        """InitOccurrenceMap (2.3): Ω and W of the NNF as it stands."""
+        self.passes.occurrence_map(self.nnf, self.omega, self.omega_sums, self.patch_width)
+
+    def vote(self):
+        """E-step of 2.3: B' from the NNF; then δ of the NNF with the new B'."""
+        self.passes.vote(
+            self.textures.source,
+            self.textures.target,
+            self.nnf,
+            self.patch_width,
+            self.packing.style_channel,
+            self.packing.style_channels,
+        )
+        self.passes.patch_sums(
+            self.textures.target,
+            self.textures.target_sums,
+            self.patch_width,
+            0,
+            self.packing.style_channel,
+        )
+        self.update_similarity()
+
+    def update_similarity(self):
+        self.passes.similarity(self.textures, self.patch_width, self.nnf, self.delta)
+
+    def energy(self):
+        """Mean δ and mean λρ, in the thesis' units."""
+        delta, omega_sum = self.passes.energy(self.nnf, self.delta, self.omega_sums)
+        return delta / ONE, self.occurrence_weight * omega_sum / ONE
