@@ -219,7 +219,8 @@ def render(shape, height, width, antialias=2, light_side=6, bounces=48):
     Returns
     -------
     dict of str to (height, width, 3) uint8
-        One display-ready (sRGB) image a pass, by the names of ``PASSES``.
+        One image a pass, by the names of ``PASSES``, encoded with gamma 2.2.
+        ``indirb`` is brightened by 1.6 on its own; ``fullgi`` holds it as it is.
     """
     direct, specular, bounced = _render(shape, height, width, antialias, light_side, bounces)
     linear = {

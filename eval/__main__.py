@@ -9,7 +9,7 @@ from eval.bench import bench
 from eval.lambda_report import lambda_report
 from eval.report import REPORTS
 from eval.scenes import BUNDLED, load_scene
-from eval.schedules_report import schedules_report
+from eval.schedules_report import UNIFORMITIES, schedules_report
 from stylit_ref import InputError
 
 
@@ -20,6 +20,13 @@ def main(arguments=None):
     parser.add_argument("--scene", default=BUNDLED, help="folder of a scene (default: bundled)")
     parser.add_argument("--step", type=int, default=1, help="keep every STEPth pixel (default 1)")
     parser.add_argument("--seeds", type=int, nargs="+", default=[0], help="default: 0")
+    parser.add_argument(
+        "--uniformities", type=float, nargs="+", default=UNIFORMITIES, metavar="λ",
+        help="for the schedules (default: those of the thesis)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--numbers", action="store_true", help="no images, for scenes that are not yours to share"
+    )
     parser.add_argument("--ebsynth", help="binary to measure beside, for the bench")
     parser.add_argument("--output", type=Path, help="folder (default: reports/REPORT_SCENE_SIZE)")
     options = parser.parse_args(arguments)
@@ -28,9 +35,11 @@ def main(arguments=None):
         scene = load_scene(options.scene, options.step)
         folder = options.output or REPORTS / f"{options.report}_{scene.name}_{scene.size}"
         if options.report == "lambda":
-            lambda_report(scene, folder, options.seeds[0])
+            lambda_report(scene, folder, options.seeds[0], not options.numbers)
         elif options.report == "schedules":
-            schedules_report(scene, folder, options.seeds)
+            schedules_report(
+                scene, folder, options.seeds, options.uniformities, not options.numbers
+            )
         else:
             bench(scene, folder, options.ebsynth)
     except InputError as error:

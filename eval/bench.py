@@ -13,13 +13,14 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 
+import numba
 import pandas as pd
 from tqdm import tqdm
 
 from eval.image_energy import image_energy
 from eval.report import table, write_report
 from eval.runs import compile_kernels
-from stylit_ref import InputError, Params, read_uint8, stylize, write_image
+from stylit_ref import InputError, Params, read_image, read_uint8, stylize, write_image
 
 THESIS = {"uniformity": 10000, "levels": 6, "votes": 6, "patchmatch_iterations": 6}
 EBSYNTH_DEFAULTS = {"uniformity": 3500, "levels": 7, "votes": 6, "patchmatch_iterations": 4}
@@ -125,13 +126,28 @@ def bench(scene, folder, ebsynth=None):
         "Synthesis: without compilation and files (for ebsynth the whole process). "
         "Image energy: mean δ of a converged λ = 0 search on the finished image.",
     ]
+    sections.insert(1, _thread_ratio(scene))
     if ebsynth:
         sections.insert(1, _ratios(frame))
     write_report(folder, f"Bench on {scene.name}, {scene.size}", sections)
     return frame
 
 
+def _thread_ratio(scene):
+    """How much all threads save over one, on two votes of the thesis configuration."""
+    available = numba.config.NUMBA_NUM_THREADS
+    params = Params(**(THESIS | {"votes": 2, "patchmatch_iterations": 2}))
+    compile_kernels(scene, params)
+    seconds = []
+    for threads in (1, available):
+        start = time.perf_counter()
+        stylize(scene.style, scene.source_guides, scene.target_guides, params, threads=threads)
+        seconds.append(time.perf_counter() - start)
+    return f"- one thread takes {seconds[0] / seconds[1]:.2f} times as long as {available}."
+
+
 def _ratios(frame):
+    """Ebsynth over stylit-ref, a line for each configuration."""
     lines = []
     for name, part in frame.groupby("configuration", sort=False):
         ours, theirs = (
@@ -179,11 +195,13 @@ def _stylit_ref_command(images, configuration, output):
 
 
 def _ebsynth_arguments(images, configuration, output):
-    """Equal metric: a guide weighs μ = 2 over all guides, the style 1."""
+    """Equal metric: every guide channel weighs μ/n_g and every style channel 1/n_s."""
     style, pairs = images
     arguments = ["-style", str(style), "-weight", "1", "-backend", "cpu"]
-    for source, target in pairs:
-        arguments += ["-guide", str(source), str(target), "-weight", str(2 / len(pairs))]
+    channels = [read_image(source).shape[2] for source, _ in pairs]
+    for (source, target), count in zip(pairs, channels, strict=True):
+        weight = Params().guide_influence * count / sum(channels)
+        arguments += ["-guide", str(source), str(target), "-weight", str(weight)]
     for name, flag in _FLAGS.items():
         arguments += ["-" + flag.replace("-", ""), str(configuration[name])]
     return [*arguments, "-output", str(output)]

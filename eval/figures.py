@@ -31,7 +31,7 @@ def comparison(file, rows, zoom):
                 top + int(zoom[2] * image.shape[0]),
                 left + int(zoom[3] * image.shape[1]),
             )
-            cmap = "gray" if image.shape[2] == 1 else None
+            cmap = "gray" if image.shape[2] < 3 else None
             image = image[:, :, 0] if cmap else image
             axes[2 * k, column].imshow(image, cmap=cmap, interpolation="none")
             axes[2 * k, column].set_title(title, fontsize=11)

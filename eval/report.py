@@ -57,13 +57,20 @@ def table(frame):
 
 
 def _commit():
+    """Commit of the checkout; reports themselves do not count as changes."""
     try:
-        return subprocess.run(
-            ["git", "describe", "--always", "--dirty", "--exclude", "*"],
-            capture_output=True, text=True, check=True,
-        ).stdout.strip()  # fmt: skip
+        commit = _git("rev-parse", "--short", "HEAD")
+        changed = _git("status", "--porcelain", "--untracked-files=no", "--", ".", ":!reports")
     except (OSError, subprocess.CalledProcessError):
         return "unknown"
+    return f"{commit} with changes" if changed else commit
+
+
+def _git(*arguments):
+    """What git says of the checkout this file is in."""
+    checkout = Path(__file__).parents[1]
+    command = ["git", "-C", checkout, *arguments]
+    return subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip()
 
 
 def _processor():

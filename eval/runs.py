@@ -36,12 +36,16 @@ class Run:
     penalization: float
 
 
-def library_digest():
+def _library_digest():
     """Identifies the library's source, on which every result depends."""
     digest = hashlib.sha256()
     for file in sorted(Path(stylit_ref.__file__).parent.rglob("*.py")):
         digest.update(file.read_bytes())
     return digest.hexdigest()
+
+
+# Taken as the library is imported: an edit during a long report does not change what runs.
+_LIBRARY = _library_digest()
 
 
 def run(scene: Scene, params: Params, seed: int, progress=None) -> Run:
@@ -59,7 +63,7 @@ def run(scene: Scene, params: Params, seed: int, progress=None) -> Run:
     -------
     Run
     """
-    key = json.dumps([scene.digest, asdict(params), seed, library_digest()])
+    key = json.dumps([scene.digest, asdict(params), seed, _LIBRARY])
     file = STORE / f"{hashlib.sha256(key.encode()).hexdigest()[:24]}.npz"
     if not file.exists():
         compile_kernels(scene, params)

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from stylit_ref import InputError, read_uint8
+from stylit_ref.image_io import read_guides
 
 BUNDLED = Path(__file__).parents[1] / "data_gen" / "bundled" / "figure"
 
@@ -42,6 +43,12 @@ class Scene:
         return f"{width}x{height}"
 
     @property
+    def shown_guide(self):
+        """The target guide to show: the full render where there is one."""
+        names = self.guide_names
+        return self.target_guides[names.index("fullgi") if "fullgi" in names else 0]
+
+    @property
     def digest(self):
         """Identifies the pixels of the scene."""
         digest = hashlib.sha256()
@@ -70,30 +77,30 @@ def load_scene(folder, step=1):
     InputError
         If the folder is not such a scene.
     """
+    if step < 1:
+        raise InputError(f"step is {step}; it must be 1 or more")
     folder = Path(folder)
     if not folder.is_dir():
         raise InputError(f"{folder}: no such folder")
     files = {file.stem: file for file in sorted(folder.iterdir()) if file.is_file()}
-    guides = tuple(
-        stem.removeprefix("target_")
-        for stem in files
-        if stem.startswith("target_") and stem.replace("target_", "source_", 1) in files
-    )
+    names = (stem.removeprefix("target_") for stem in files if stem.startswith("target_"))
+    guides = tuple(name for name in names if name != "style" and f"source_{name}" in files)
     if "source_style" not in files or not guides:
         raise InputError(
             f"{folder}: is no scene; it needs source_style and, for each guide, "
             "source_<guide> and target_<guide> images"
         )
 
-    def read(stem):
-        return np.ascontiguousarray(read_uint8(files[stem])[::step, ::step])
+    def reduced(image):
+        return np.ascontiguousarray(image[::step, ::step])
 
+    pairs = [read_guides(files[f"source_{name}"], files[f"target_{name}"]) for name in guides]
     return Scene(
         folder.resolve().name,
         folder,
         guides,
-        read("source_style"),
-        tuple(read(f"source_{guide}") for guide in guides),
-        tuple(read(f"target_{guide}") for guide in guides),
+        reduced(read_uint8(files["source_style"])),
+        tuple(reduced(source) for source, _ in pairs),
+        tuple(reduced(target) for _, target in pairs),
         step,
     )

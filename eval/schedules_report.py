@@ -19,7 +19,7 @@ MOST_ABOVE = 1.02
 """φ and δ may exceed those of ``scanline`` by this factor."""
 
 
-def schedules_report(scene, folder, seeds=(0,)):
+def schedules_report(scene, folder, seeds=(0,), uniformities=UNIFORMITIES, pictures=True):
     """Run both schedules at every λ and write images, numbers and a page.
 
     Parameters
@@ -28,6 +28,9 @@ def schedules_report(scene, folder, seeds=(0,)):
     folder : Path
     seeds : sequence of int
         Numbers are means over them; pictures show the first.
+    uniformities : sequence of float
+    pictures : bool
+        False leaves out the image, for scenes that are not ours to show.
 
     Returns
     -------
@@ -35,31 +38,32 @@ def schedules_report(scene, folder, seeds=(0,)):
         A row for each λ and schedule.
     """
     folder.mkdir(parents=True, exist_ok=True)
-    rows, pictures = [], {schedule: [] for schedule in SCHEDULES}
-    tasks = [(uniformity, schedule) for uniformity in UNIFORMITIES for schedule in SCHEDULES]
+    rows, images = [], {schedule: [] for schedule in SCHEDULES}
+    tasks = [(uniformity, schedule) for uniformity in uniformities for schedule in SCHEDULES]
     for uniformity, schedule in tqdm(tasks, unit="setting", disable=None):
         params = replace(Params(), uniformity=uniformity, schedule=schedule)
         measured = pd.DataFrame([measure(scene, params, seed) for seed in seeds]).mean()
-        rows.append({"λ": uniformity, "schedule": schedule, **measured})
+        rows.append({"λ": f"{uniformity:g}", "schedule": schedule, **measured})
         image = run(scene, params, seeds[0]).image
-        pictures[schedule].append((f"{schedule}, λ = {uniformity}", image))
+        images[schedule].append((f"{schedule}, λ = {uniformity:g}", image))
     frame = pd.DataFrame(rows)
     frame.to_csv(folder / "schedules.csv", index=False)
-    comparison(
-        folder / "schedules.png",
-        list(pictures.values()),
-        detailed_window(detail(scene.target_guides[-1])),
-    )
+    if pictures:
+        comparison(
+            folder / "schedules.png",
+            list(images.values()),
+            detailed_window(detail(scene.shown_guide)),
+        )
     seed_text = ", ".join(map(str, seeds))
     write_report(
         folder,
         f"Schedules on {scene.name}, {scene.size}",
         [
-            "![scanline above, propose_commit below](schedules.png)",
+            *["![scanline above, propose_commit below](schedules.png)"] * pictures,
             table(formatted(frame.drop(columns="seconds"))),
             "propose_commit over scanline; it counts as right where φ and δ are at most "
             f"{MOST_ABOVE} and usage and sharpness not below 1:",
-            table(_ratios(frame)),
+            table(schedule_ratios(frame)),
             f"Thesis configuration, means over seeds {seed_text}.",
             DEFINITIONS,
         ],
@@ -67,9 +71,11 @@ def schedules_report(scene, folder, seeds=(0,)):
     return frame
 
 
-def _ratios(frame):
+def schedule_ratios(frame):
     """propose_commit over scanline for each λ."""
-    by_schedule = {name: part.set_index("λ") for name, part in frame.groupby("schedule")}
+    by_schedule = {
+        name: part.set_index("λ") for name, part in frame.groupby("schedule", sort=False)
+    }
     columns = [
         "phi",
         "delta",

@@ -6,7 +6,9 @@ from dataclasses import replace
 import numpy as np
 
 from stylit_ref.errors import InputError
-from stylit_ref.packing import occurrence_weight
+from stylit_ref.formulae.bounded_metric import sum_width
+from stylit_ref.formulae.patch_penalization import omega_best
+from stylit_ref.packing import ONE, occurrence_weight
 
 
 def size(shape):
@@ -61,20 +63,20 @@ def check_guides(style, sources, targets, source_names=None, target_names=None):
             )
 
 
-def check_mask(mask, fill, target_size, style_channels):
+def check_mask(mask, fill, target_size, style_channels, mask_name="mask", fill_name="fill"):
     """Mask and fill have the target's size, and something is left to synthesize."""
     if mask.dtype != bool or mask.ndim != 2:
         raise InputError(f"mask is {mask.dtype} of shape {mask.shape}; it must be bool, (H, W)")
     if mask.shape != target_size:
-        raise InputError(f"mask is {size(mask.shape)} but the target is {size(target_size)}")
+        raise InputError(f"{mask_name} is {size(mask.shape)} but the target is {size(target_size)}")
     if mask.all():
-        raise InputError("the mask leaves the whole target alone; nothing is to be synthesized")
+        raise InputError(f"{mask_name} leaves the whole target alone; nothing is to be synthesized")
     if fill is None:
         return
-    fill = as_image(fill, "fill")
+    fill = as_image(fill, fill_name)
     if fill.shape != (*target_size, style_channels):
         raise InputError(
-            f"fill is {size(fill.shape)} with {fill.shape[2]} channels; it must be "
+            f"{fill_name} is {size(fill.shape)} with {fill.shape[2]} channels; it must be "
             f"{size(target_size)} with the style's {style_channels}"
         )
 
@@ -100,7 +102,7 @@ def fit_levels(params, source_size, target_size):
 
 
 def check_range(packing, params, source_size, target_patches):
-    """The integers of the metric must fit: W 32 bits; φ, times the pixels of a patch, 64."""
+    """The integers of the metric must fit: W 32 bits; φ, times the pixels of a sum, 64."""
     patch_pixels = params.patch_width**2
     if target_patches * patch_pixels >= 1 << 31:
         raise InputError(
@@ -109,9 +111,18 @@ def check_range(packing, params, source_size, target_patches):
         )
     source_pixels = source_size[0] * source_size[1]
     weight = occurrence_weight(params.uniformity, params.patch_width, source_pixels, target_patches)
+    best = omega_best(params.patch_width, source_pixels, target_patches)
+    exact = params.uniformity / (patch_pixels * best)
+    if abs(weight - ONE * exact) > 0.01 * ONE * exact:
+        warnings.warn(
+            f"uniformity {params.uniformity:g} is rounded to "
+            f"{params.uniformity * weight / (ONE * exact):g}: so small a weight has no finer "
+            f"fixed-point value with patches of width {params.patch_width}",
+            stacklevel=3,
+        )
     largest_delta = patch_pixels * 255**2 * int(packing.weights.sum())
     largest_phi = weight * patch_pixels * target_patches + largest_delta
-    if largest_phi * patch_pixels >= 1 << 62:
+    if largest_phi * sum_width(params.patch_width) ** 2 >= 1 << 62:
         raise InputError(
             f"uniformity {params.uniformity:g} with guide influence {params.guide_influence:g} "
             "overflows 64-bit integers on images of this size; choose smaller ones"

@@ -9,10 +9,16 @@ import numpy as np
 from tqdm import tqdm
 
 from stylit_ref import __version__
-from stylit_ref.checks import check_guides
+from stylit_ref.checks import check_guides, check_mask
 from stylit_ref.errors import InputError
-from stylit_ref.image_io import check_image_writable, read_image, read_uint8, write_image
-from stylit_ref.output_file import check_writable, whole_file
+from stylit_ref.image_io import (
+    check_image_writable,
+    read_guides,
+    read_image,
+    read_uint8,
+    write_image,
+)
+from stylit_ref.output_file import check_folder, check_writable, whole_file
 from stylit_ref.params import Params
 from stylit_ref.replaying import replay
 from stylit_ref.stylization import stylize
@@ -31,14 +37,16 @@ def main(arguments=None):
     0 on success, 2 for input that cannot be used, 130 when interrupted.
     """
     options = _parser().parse_args(arguments)
-    warnings.showwarning = lambda message, *_: print(f"note: {message}", file=sys.stderr)
     try:
-        options.command(options)
+        with warnings.catch_warnings():
+            warnings.simplefilter("always", UserWarning)
+            warnings.showwarning = lambda message, *_: print(f"note: {message}", file=sys.stderr)
+            options.command(options)
     except InputError as error:
         print(f"stylit-ref: {error}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
-        print("stylit-ref: interrupted, nothing written", file=sys.stderr)
+        print("stylit-ref: interrupted; no partial file is left", file=sys.stderr)
         return 130
     return 0
 
@@ -141,8 +149,9 @@ def _run(options):
         schedule=options.schedule,
     )
     style = read_uint8(options.style)
-    source_guides = [read_uint8(source) for source, _ in options.guide]
-    target_guides = [read_uint8(target) for _, target in options.guide]
+    source_guides, target_guides = zip(
+        *(read_guides(source, target) for source, target in options.guide), strict=True
+    )
     check_guides(style, source_guides, target_guides, *zip(*options.guide, strict=True))
     mask = fill = None
     if options.mask:
@@ -151,6 +160,10 @@ def _run(options):
         if not options.mask:
             raise InputError("--fill needs a --mask that says which pixels to fill")
         fill = read_uint8(options.fill)
+    if options.mask:
+        check_mask(
+            mask, fill, target_guides[0].shape[:2], style.shape[2], options.mask, options.fill
+        )
 
     transparent = mask is not None and fill is None and style.shape[2] % 2
     check_image_writable(options.output, style.shape[2] + bool(transparent))
@@ -158,14 +171,11 @@ def _run(options):
         _check_npy(options.nnf)
     levels = Path(options.save_levels) if options.save_levels else None
     if levels:
-        try:
-            levels.mkdir(parents=True, exist_ok=True)
-        except OSError as error:
-            raise InputError(f"{levels}: cannot be made: {error.strerror}") from error
-        check_writable(levels / "level_1.png")
+        check_folder(levels)
 
     def save_level(level, image):
         if levels:
+            levels.mkdir(parents=True, exist_ok=True)
             write_image(levels / f"level_{level}.png", image)
 
     with tqdm(total=1.0, disable=options.quiet or None, bar_format=_BAR, file=sys.stderr) as bar:
@@ -198,10 +208,11 @@ def _run(options):
 def _replay(options):
     style = read_image(options.style)
     try:
-        nnf = np.load(options.nnf, allow_pickle=False)
-    except FileNotFoundError:
-        raise InputError(f"{options.nnf}: no such file") from None
-    except (OSError, ValueError, EOFError) as error:
+        with open(options.nnf, "rb") as file:
+            nnf = np.lib.format.read_array(file, allow_pickle=False)
+    except OSError as error:
+        raise InputError(f"{options.nnf}: cannot be read: {error.strerror}") from None
+    except (ValueError, EOFError) as error:
         raise InputError(f"{options.nnf}: is not a readable .npy file: {error}") from None
     check_image_writable(options.output, style.shape[2])
     image = replay(nnf, style, patch_width=options.patch_width, scale=options.scale)

@@ -6,6 +6,7 @@ colours are premultiplied by it, as OpenImageIO has it, so that averages of tran
 pixels come out right.
 """
 
+import warnings
 from pathlib import Path
 
 import numpy as np
@@ -13,13 +14,14 @@ import OpenImageIO as oiio
 
 from stylit_ref.bit_depth import to_linear, to_uint8
 from stylit_ref.errors import InputError
-from stylit_ref.output_file import check_writable, whole_file
+from stylit_ref.output_file import check_writable, temporary_name, whole_file
 
 FLOAT_FORMATS = (".exr", ".hdr", ".pfm")
 """Files that hold scene-linear floating point."""
 
-_COLOURS = "RGBYA"
 _CHANNEL_ORDER = "RGBXYZUVA"
+_DEPTHS = {"uint8": "uint8", "uint16": "uint16", "half": "float", "float": "float"}
+_DEPTHS["double"] = "float"
 
 
 def read_image(path):
@@ -41,7 +43,7 @@ def read_image(path):
     InputError
         If the file or layer is missing, cannot be read, or holds NaN or infinity.
     """
-    return _read(path)[0]
+    return _drop_opaque(*_read(path))[0]
 
 
 def read_uint8(path):
@@ -53,15 +55,45 @@ def read_uint8(path):
     -------
     (H, W, n) uint8
     """
-    image, alpha_channel = _read(path)
-    return to_uint8(image, alpha_channel)
+    image, alpha_channel = _drop_opaque(*_read(path))
+    return _displayed(path, image, alpha_channel)
+
+
+def read_guides(source_path, target_path):
+    """Read a guide of the source and of the target so that their channels agree.
+
+    Alpha is dropped if it is opaque in both images and otherwise kept, or added, in
+    both; a grey image beside one in colour is spread to three channels.
+
+    Parameters and errors are those of :func:`read_image`.
+
+    Returns
+    -------
+    source, target : (H, W, n) uint8
+        The numbers of channels still differ where neither is grey.
+    """
+    paths = source_path, target_path
+    read = [_drop_opaque(*_read(path)) for path in paths]
+    transparent = any(alpha is not None for _, alpha in read)
+    colours = max(image.shape[2] - (alpha is not None) for image, alpha in read)
+    guides = []
+    for path, (image, alpha) in zip(paths, read, strict=True):
+        guide = _displayed(path, image, alpha)
+        if guide.shape[2] - (alpha is not None) == 1:
+            guide = np.concatenate([guide[:, :, :1]] * colours + [guide[:, :, 1:]], axis=2)
+        if transparent and alpha is None:
+            opaque = np.full((*guide.shape[:2], 1), 255, np.uint8)
+            guide = np.concatenate([guide, opaque], axis=2)
+        guides.append(guide)
+    return tuple(guides)
 
 
 def write_image(path, image):
     """Write an image, whole or not at all.
 
     Integers go to a floating-point format as scene-linear light and floating point to
-    an integer format as 8-bit display values; otherwise the depth is kept.
+    an integer format as 8-bit display values; otherwise the depth is kept as far as
+    the format goes (JPEG has 8 bits).
 
     Parameters
     ----------
@@ -78,6 +110,10 @@ def write_image(path, image):
     path = Path(path)
     image = np.ascontiguousarray(np.atleast_3d(image))
     height, width, channels = image.shape
+    if image.dtype not in (np.uint8, np.uint16, np.float32):
+        raise InputError(
+            f"{path}: the image has dtype {image.dtype}; it must be uint8, uint16 or float32"
+        )
     check_image_writable(path, channels)
     alpha_channel = channels - 1 if channels in (2, 4) else None
     stored = str(image.dtype).replace("float32", "float")
@@ -125,6 +161,11 @@ def check_image_writable(path, channels):
             "an alpha channel; use .png, .tif or .exr"
         )
     check_writable(path)
+    with temporary_name(path) as probe:
+        if not output.open(str(probe), oiio.ImageSpec(1, 1, channels, "uint8")):
+            raise InputError(f"{path}: cannot be written: {output.geterror()}")
+        output.write_image(np.zeros((1, 1, channels), np.uint8))
+        output.close()
 
 
 def _read(path):
@@ -132,7 +173,13 @@ def _read(path):
     file, layer = _split_layer(path)
     part, channels = _find_layer(file, layer)
     buffer = oiio.ImageBuf(str(file), part, 0)
-    depth = {"uint8": "uint8", "uint16": "uint16"}.get(str(buffer.spec().format), "float")
+    stored = {str(buffer.spec().channelformat(channel)) for channel in channels}
+    if not stored <= _DEPTHS.keys():
+        raise InputError(
+            f"{path}: holds {', '.join(sorted(stored))} values; "
+            "8 or 16 bit integers or floating point are needed"
+        )
+    depth = _DEPTHS[str(buffer.spec().format)] if len(stored) == 1 else "float"
     if not buffer.read(part, 0, True, depth):
         raise InputError(f"{file}: cannot be read: {buffer.geterror()}")
     if buffer.roi != buffer.roi_full:
@@ -150,12 +197,29 @@ def _read(path):
             f"the first at (y, x) = ({y}, {x}); all values must be finite"
         )
     alpha_channel = names.index("A") if "A" in names and len(names) > 1 else None
+    return np.ascontiguousarray(image), alpha_channel
+
+
+def _drop_opaque(image, alpha_channel):
+    """Image and alpha channel without an alpha that is opaque everywhere."""
     if alpha_channel is not None:
         alpha = image[:, :, alpha_channel]
         opaque = 1 if alpha.dtype == np.float32 else np.iinfo(alpha.dtype).max
         if (alpha >= opaque).all():
-            image, alpha_channel = np.delete(image, alpha_channel, axis=2), None
-    return np.ascontiguousarray(image), alpha_channel
+            return np.ascontiguousarray(np.delete(image, alpha_channel, axis=2)), None
+    return image, alpha_channel
+
+
+def _displayed(path, image, alpha_channel):
+    """The image as 8-bit display values; says so if that clips more than highlights."""
+    if image.dtype == np.float32:
+        clipped = np.mean((image < -0.01) | (image > 1))
+        if clipped > 0.05:
+            warnings.warn(
+                f"{path}: {clipped:.0%} of the values lie outside [0, 1] and are clipped",
+                stacklevel=3,
+            )
+    return to_uint8(image, alpha_channel)
 
 
 def _split_layer(path):
@@ -206,8 +270,13 @@ def _find_layer(file, layer):
     if layer is None:
         if not channels and len(named) == 1:
             channels = layers[named[0]]
-        colours = [entry for entry in channels if entry[2] in _COLOURS]
-        channels = colours or ([] if len(named) > 1 else channels)
+        present = {channel for _, _, channel in channels}
+        luminance = {"Y"} if "X" not in present else set()
+        colours = present & {"R", "G", "B"} or present & luminance
+        if colours:
+            channels = [entry for entry in channels if entry[2] in colours | {"A"}]
+        elif len(named) > 1:
+            channels = []
     if not channels:
         asked = "it has no unnamed layer" if layer is None else f"it has no layer '{layer}'"
         known = ", ".join(named) or "none"

@@ -15,27 +15,50 @@ def check_writable(path):
     InputError
     """
     path = Path(path)
-    folder = path.parent
-    if not folder.is_dir():
-        raise InputError(f"{path}: the folder {folder} does not exist")
+    if not path.parent.is_dir():
+        raise InputError(f"{path}: the folder {path.parent} does not exist")
     if path.is_dir():
         raise InputError(f"{path}: is a folder; name a file")
-    if not os.access(folder, os.W_OK) or (path.exists() and not os.access(path, os.W_OK)):
+    if not os.access(path.parent, os.W_OK) or (path.exists() and not os.access(path, os.W_OK)):
         raise InputError(f"{path}: cannot be written: permission denied")
+
+
+def check_folder(folder):
+    """Refuse a folder that neither exists nor can be made, without making it.
+
+    Raises
+    ------
+    InputError
+    """
+    folder = Path(folder)
+    existing = next(part for part in (folder, *folder.absolute().parents) if part.exists())
+    if not existing.is_dir():
+        raise InputError(f"{folder}: cannot be made: {existing} is no folder")
+    if not os.access(existing, os.W_OK):
+        raise InputError(f"{folder}: cannot be written: permission denied")
+
+
+@contextmanager
+def temporary_name(path):
+    """A name beside ``path`` with its suffix; the file of that name is gone afterwards."""
+    path = Path(path)
+    name = path.with_name(f".{os.getpid()}{path.suffix}")
+    try:
+        yield name
+    finally:
+        name.unlink(missing_ok=True)
 
 
 @contextmanager
 def whole_file(path):
-    """A temporary name beside ``path`` that replaces it when the block succeeds.
+    """A temporary name that becomes ``path`` when the block succeeds.
 
-    Whatever interrupts the block, no partial file is left.
+    Whatever interrupts the block, no partial file is left. A link is followed.
     """
     path = Path(path)
-    partial = path.with_name(f".{path.stem}.{os.getpid()}{path.suffix}")
-    try:
-        yield partial
-        os.replace(partial, path)
-    except OSError as error:
-        raise InputError(f"{path}: cannot be written: {error.strerror}") from error
-    finally:
-        partial.unlink(missing_ok=True)
+    with temporary_name(path) as partial:
+        try:
+            yield partial
+            os.replace(partial, path.resolve())
+        except OSError as error:
+            raise InputError(f"{path}: cannot be written: {error.strerror}") from error

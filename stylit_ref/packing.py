@@ -95,12 +95,17 @@ def make_packing(guide_sizes, style_channels, guide_influence, guide_weights):
     Raises
     ------
     InputError
-        If a weight does not fit 32 bits in fixed point.
+        If a weight rounds to 0 or does not fit 32 bits in fixed point.
     """
     weights, guide_channels = [], []
     per_channel = guide_influence / sum(guide_sizes)
     for size, guide_weight in zip(guide_sizes, guide_weights, strict=True):
         fixed = round(ONE * per_channel * guide_weight)
+        if guide_weight and guide_influence and not fixed:
+            raise InputError(
+                f"guide weight {guide_weight:g} with guide influence {guide_influence:g} is too "
+                "small to count; a weight of 0 ignores the guide"
+            )
         if fixed >= 1 << 32:
             raise InputError(
                 f"guide weight {guide_weight:g} times guide influence {guide_influence:g} "

@@ -61,13 +61,22 @@ class Params:
             if not isinstance(value, Integral) or not 1 <= value <= most:
                 raise InputError(f"{name} is {value}; it must be an integer from 1 to {most}")
         for name in ("uniformity", "guide_influence"):
-            value = getattr(self, name)
-            if not isinstance(value, Real) or not 0 <= value < np.inf:
-                raise InputError(f"{name} is {value}; it must be a finite number, 0 or more")
-        for weight in self.guide_weights or ():
-            if not isinstance(weight, Real) or not 0 <= weight < np.inf:
-                raise InputError(f"guide weight {weight} must be a finite number, 0 or more")
+            _check_weight(name, getattr(self, name))
+        if self.guide_weights is not None:
+            if np.ndim(self.guide_weights) != 1:
+                raise InputError(f"guide_weights is {self.guide_weights}; it must be a sequence")
+            object.__setattr__(self, "guide_weights", tuple(self.guide_weights))
+            for k, weight in enumerate(self.guide_weights, 1):
+                _check_weight(f"guide weight {k}", weight)
         if self.schedule not in ("propose_commit", "scanline"):
             raise InputError(
                 f"schedule is {self.schedule!r}; it must be 'propose_commit' or 'scanline'"
             )
+
+
+LARGEST_WEIGHT = 1e12
+
+
+def _check_weight(name, value):
+    if not isinstance(value, Real) or not 0 <= value <= LARGEST_WEIGHT:
+        raise InputError(f"{name} is {value}; it must be a number from 0 to {LARGEST_WEIGHT:g}")

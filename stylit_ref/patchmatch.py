@@ -25,7 +25,7 @@ PROPAGATION_DISTANCES = (4, 2, 1)
 
 
 def propose_commit(level, seed, level_number, vote, iteration):
-    """One PatchMatch iteration of the default schedule; returns how many patches moved."""
+    """One PatchMatch iteration of the default schedule; returns the number of moves."""
     passes = level.passes
     classes = commit_order(random_stream(seed, COMMIT_ORDER, level_number, vote, iteration))
     search_stream = random_stream(seed, RANDOM_SEARCH, level_number, vote, iteration)
@@ -37,12 +37,12 @@ def propose_commit(level, seed, level_number, vote, iteration):
         level.nnf, level.delta, level.proposed_nnf, level.proposed_delta,
         level.omega_sums, level.occurrence_weight, level.patch_width, classes, CLASS_STRIDE,
     )  # fmt: skip
-    moved = 0
+    moves = 0
     for distance in PROPAGATION_DISTANCES:
         passes.propagation(*proposal, distance)
-        moved += passes.commit(*commitment)
+        moves += passes.commit(*commitment)
     passes.random_search(*proposal, search_stream)
-    return moved + passes.commit(*commitment)
+    return moves + passes.commit(*commitment)
 
 
 def scanline(level, seed, level_number, vote, iteration):

@@ -1,32 +1,12 @@
 """``replay``: another style image through a saved nearest-neighbour field."""
 
+import warnings
+from numbers import Integral
+
 import numpy as np
-from numba import njit, prange
 
 from stylit_ref.errors import InputError
-
-
-@njit(parallel=True)
-def _vote_scaled(style, output, nnf, radius, scale):
-    """Mean of the votes, as :func:`stylit_ref.passes.vote.vote`, ``scale`` pixels for one."""
-    height, width = nnf.shape[:2]
-    for fine_y in prange(output.shape[0]):
-        totals = np.zeros(style.shape[2], np.float64)
-        y, offset_y = fine_y // scale, fine_y % scale
-        for fine_x in range(output.shape[1]):
-            x, offset_x = fine_x // scale, fine_x % scale
-            totals[:] = 0
-            votes = 0
-            for near_y in range(max(y - radius, 0), min(y + radius + 1, height)):
-                for near_x in range(max(x - radius, 0), min(x + radius + 1, width)):
-                    if nnf[near_y, near_x, 0] >= 0:
-                        source_y = (nnf[near_y, near_x, 0] - (near_y - y)) * scale + offset_y
-                        source_x = (nnf[near_y, near_x, 1] - (near_x - x)) * scale + offset_x
-                        for c in range(style.shape[2]):
-                            totals[c] += style[source_y, source_x, c]
-                        votes += 1
-            if votes:
-                output[fine_y, fine_x] = totals / votes
+from stylit_ref.passes import replay_vote
 
 
 def replay(
@@ -69,9 +49,11 @@ def replay(
         raise InputError(f"style has dtype {style.dtype}; it must be uint8, uint16 or float32")
     if style.ndim not in (2, 3) or 0 in style.shape:
         raise InputError(f"style has shape {style.shape}; it must be (H, W) or (H, W, channels)")
-    if patch_width < 1 or patch_width % 2 == 0:
-        raise InputError(f"patch_width is {patch_width}; it must be odd")
-    if scale < 1 or style.shape[0] % scale or style.shape[1] % scale:
+    if not isinstance(patch_width, Integral) or patch_width < 1 or patch_width % 2 == 0:
+        raise InputError(f"patch_width is {patch_width}; it must be an odd integer")
+    if not isinstance(scale, Integral) or scale < 1:
+        raise InputError(f"scale is {scale}; it must be a positive integer")
+    if style.shape[0] % scale or style.shape[1] % scale:
         raise InputError(
             f"the style is {style.shape[1]}x{style.shape[0]}; "
             f"its sides must be multiples of the scale {scale}"
@@ -85,9 +67,15 @@ def replay(
             f"but a style of {style.shape[1]}x{style.shape[0]} at scale {scale} has patches of "
             f"width {patch_width} only up to {tuple(limit)}"
         )
+    if assigned.size and (assigned.max(axis=0) * 2 < limit).all():
+        warnings.warn(
+            f"the NNF uses less than half of the style's {style.shape[1]}x{style.shape[0]} at "
+            f"scale {scale}; is the style an enlargement, and the scale larger?",
+            stacklevel=2,
+        )
     image = style if style.ndim == 3 else style[:, :, None]
     means = np.zeros((nnf.shape[0] * scale, nnf.shape[1] * scale, image.shape[2]))
-    _vote_scaled(image, means, nnf, radius, scale)
+    replay_vote(image, means, nnf, patch_width, scale)
     if style.dtype != np.float32:
         means = np.floor(means + 0.5)
     return means.astype(style.dtype).reshape(*means.shape[:2], *style.shape[2:])

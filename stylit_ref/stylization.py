@@ -3,6 +3,7 @@
 from collections.abc import Callable, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from numbers import Integral
 
 import numba
 import numpy as np
@@ -98,8 +99,8 @@ def stylize(
     params = params or Params()
     if backend != "cpu":
         raise InputError(f"backend is {backend!r}; only 'cpu' is available")
-    if not 0 <= seed < 1 << 64:
-        raise InputError(f"seed is {seed}; it must be from 0 to 2**64 - 1")
+    if not isinstance(seed, Integral) or not 0 <= seed < 1 << 64:
+        raise InputError(f"seed is {seed}; it must be an integer from 0 to 2**64 - 1")
 
     style_image = as_image(style, "style")
     if style_image.shape[2] > 4:
@@ -107,12 +108,15 @@ def stylize(
     sources = [as_image(guide, f"source guide {k}") for k, guide in enumerate(source_guides, 1)]
     targets = [as_image(guide, f"target guide {k}") for k, guide in enumerate(target_guides, 1)]
     check_guides(style_image, sources, targets)
-    guide_weights = params.guide_weights or (1.0,) * len(sources)
+    guide_weights = params.guide_weights
+    if guide_weights is None:
+        guide_weights = (1.0,) * len(sources)
     if len(guide_weights) != len(sources):
         raise InputError(f"there are {len(guide_weights)} guide weights for {len(sources)} guides")
 
     source_size, target_size = style_image.shape[:2], targets[0].shape[:2]
-    mask = np.zeros(target_size, bool) if mask is None else np.asarray(mask)
+    masked = mask is not None
+    mask = np.asarray(mask) if masked else np.zeros(target_size, bool)
     check_mask(mask, fill, target_size, style_image.shape[2])
     params = fit_levels(params, source_size, target_size)
     packing = make_packing(
@@ -147,7 +151,7 @@ def stylize(
             on_step,
             report_level,
         )
-    image = fill_masked(finest.style, mask, fill) if mask.any() else finest.style
+    image = fill_masked(finest.style, mask, fill) if masked else finest.style
     return Result(
         image=_shaped_like(style, image),
         nnf=finest.nnf,
@@ -169,7 +173,7 @@ def _threads(threads):
     if threads is None:
         yield
         return
-    if not 1 <= threads <= available:
+    if not isinstance(threads, Integral) or not 1 <= threads <= available:
         raise InputError(f"threads is {threads}; this machine offers 1 to {available}")
     before = numba.get_num_threads()
     numba.set_num_threads(threads)

@@ -29,8 +29,8 @@ class Step:
         Counted from 1.
     delta, penalization : float
         Mean δ and mean λρ over the target patches; φ is their sum.
-    moved : int or None
-        Target patches whose assignment changed (None for ``scanline``).
+    moves : int or None
+        Changes of assignments (None for ``scanline``).
     done : float
         Share of the whole run's work, up to 1.
     """
@@ -43,7 +43,7 @@ class Step:
     patchmatch_iteration: int
     delta: float
     penalization: float
-    moved: int | None
+    moves: int | None
     done: float
 
 
@@ -85,19 +85,19 @@ def texture_optimization(
     Level
         The finest, voted.
     """
-    sources, targets, masks = [source], [target], [synthesized]
+    sources, targets, where = [source], [target], [synthesized]
     for _ in range(params.levels - 1):
         sources.append(passes.downsample(sources[-1]))
         targets.append(passes.downsample(targets[-1]))
-        masks.append(passes.downsample_mask(masks[-1]))
-    work = [np.count_nonzero(mask) for mask in masks]
+        where.append(passes.downsample_mask(where[-1]))
+    work = [np.count_nonzero(level_where) for level_where in where]
 
     done = 0
     level = None
     for level_number in range(1, params.levels + 1):
         depth = params.levels - level_number
         coarse = level
-        level = Level(passes, packing, params, sources[depth], targets[depth], masks[depth])
+        level = Level(passes, packing, params, sources[depth], targets[depth], where[depth])
         source_size = sources[depth].shape[:2]
         if coarse is None:
             stream = random_stream(seed, RANDOM_NNF, level_number)
@@ -108,7 +108,7 @@ def texture_optimization(
         for vote in range(1, params.votes + 1):
             level.vote()
             for iteration in range(1, params.patchmatch_iterations + 1):
-                moved = SCHEDULES[params.schedule](level, seed, level_number, vote, iteration)
+                moves = SCHEDULES[params.schedule](level, seed, level_number, vote, iteration)
                 done += work[depth]
                 delta, penalization = level.energy()
                 on_step(
@@ -121,7 +121,7 @@ def texture_optimization(
                         patchmatch_iteration=iteration,
                         delta=delta,
                         penalization=penalization,
-                        moved=moved,
+                        moves=moves,
                         done=done / (sum(work) * params.votes * params.patchmatch_iterations),
                     )
                 )

@@ -45,6 +45,20 @@ def omega_sum(omega_map, patch_width, source_y, source_x):
     )
 
 
+def delta_bound(level, y, x, source_y, source_x):
+    """Lower bound of δ: squared difference of patch sums over their pixels, weighted."""
+    reach = min(level.patch_width, 11) // 2
+    radius = level.patch_width // 2
+    p = level.textures.target[
+        y + radius - reach : y + radius + reach + 1, x + radius - reach : x + radius + reach + 1
+    ]
+    q = level.textures.source[
+        source_y - reach : source_y + reach + 1, source_x - reach : source_x + reach + 1
+    ]
+    differences = (p.astype(int) - q).sum(axis=(0, 1))
+    return (differences**2 * level.packing.weights).sum() / (2 * reach + 1) ** 2
+
+
 def phi(level, omega_map, y, x, source_y, source_x):
     """φ of a target and a source patch of a level, in full."""
     return level.occurrence_weight * omega_sum(

@@ -18,9 +18,15 @@ def make_level(
     target_size=(14, 12),
     uniformity=5000,
     smooth=False,
+    constant=False,
+    crowded=False,
     masked=None,
 ):
-    """A level with random textures, a random NNF, and δ, Ω and W that belong to it."""
+    """A level with random textures, a random NNF, and δ, Ω and W that belong to it.
+
+    ``smooth`` images change slowly, ``constant`` ones not at all; a ``crowded`` NNF
+    assigns every other row to one source patch.
+    """
     rng = np.random.default_rng(seed)
     params = Params(patch_width=patch_width, uniformity=uniformity)
     weights = guide_weights or (1.0,) * len(guide_channels)
@@ -31,6 +37,8 @@ def make_level(
         if smooth:
             ramp = np.add.outer(np.arange(size[0]), np.arange(size[1]))[:, :, None]
             image = (ramp * 4 + image // 16).astype(np.uint8)
+        if constant:
+            image[:] = 100
         return image * (packing.weights > 0)
 
     synthesized = np.ones(target_size, bool) if masked is None else ~masked
@@ -40,6 +48,8 @@ def make_level(
     )
     stream = random_stream(seed, RANDOM_NNF, 1)
     passes.random_nnf(level.nnf, patch_width, *source_size, stream)
+    if crowded:
+        level.nnf[::2] = level.nnf[0, 0]
     level.update_similarity()
     level.init_occurrence_map()
     return level

@@ -156,6 +156,17 @@ def test_sixteen_bit_grey_and_alpha_styles(scene):
     assert (read_image(folder / "out.png")[:, :, 3] == 200).all()
 
 
+def test_transparent_and_grey_guides_fit_their_partners(scene):
+    """A render with a background alpha beside an opaque one, and grey beside colour."""
+    folder, _, _, targets = scene
+    alpha = np.full(targets[0].shape[:2], 255, np.uint8)
+    alpha[:5] = 0
+    write_image(folder / "target_0.png", np.dstack([targets[0] * (alpha > 0)[..., None], alpha]))
+    write_image(folder / "target_1.png", targets[1].repeat(3, axis=2))
+    assert run(folder) == 0
+    assert read_image(folder / "out.png").shape == (38, 44, 3)
+
+
 def test_replay(scene):
     folder, style, *_ = scene
     assert run(folder, "--nnf", folder / "nnf.npy") == 0
@@ -225,6 +236,7 @@ class TestRefusals:
             ("--nnf", "none/nnf.npy", "does not exist"),
             ("--nnf", "nnf.txt", "written as .npy"),
             ("--save-levels", "style.png", "style.png: cannot be made"),
+            ("--save-levels", "style.png/deep", "deep: cannot be made"),
         ],
     )
     def test_unwritable_outputs(self, scene, capsys, option, value, message):
@@ -236,12 +248,18 @@ class TestRefusals:
         locked.mkdir(mode=0o500)
         assert "permission" in refused(capsys, run(scene[0], "--output", locked / "out.png"))
 
+    def test_nothing_is_made_before_all_is_checked(self, scene, capsys):
+        folder = scene[0]
+        levels = folder / "new" / "levels"
+        refused(capsys, run(folder, "--save-levels", levels, "--threads", 100000))
+        assert not levels.parent.exists()
+
     def test_fill_without_mask(self, scene, capsys):
         assert "--mask" in refused(capsys, run(scene[0], "--fill", scene[0] / "style.png"))
 
     def test_mask_of_another_size(self, scene, capsys):
         folder = scene[0]
-        assert "mask is 46x40 but the target is 44x38" in refused(
+        assert "style.png is 46x40 but the target is 44x38" in refused(
             capsys, run(folder, "--mask", folder / "style.png")
         )
 
@@ -249,10 +267,13 @@ class TestRefusals:
         folder = scene[0]
         (folder / "text.npy").write_text("no array")
         np.save(folder / "objects.npy", np.array([{}], object), allow_pickle=True)
-        for name in ("none.npy", "text.npy", "objects.npy"):
+        (folder / "zip.npy").write_bytes(b"PK" + bytes(100))
+        np.save(folder / "float.npy", np.zeros((4, 4, 2)))
+        for name in ("none.npy", "text.npy", "objects.npy", "zip.npy", "float.npy"):
             replay = ["replay", "--nnf", f"{folder / name}", "--output", f"{folder / 'out.png'}"]
             code = main([*replay, "--style", f"{folder / 'style.png'}"])
-            assert name in refused(capsys, code)
+            message = refused(capsys, code)
+            assert name in message or "float64" in message
 
 
 def test_interruption_leaves_nothing(scene):
@@ -261,20 +282,21 @@ def test_interruption_leaves_nothing(scene):
     command = [sys.executable, "-m", "stylit_ref.cli", "run", "--style", f"{folder}/style.png"]
     command += ["--output", f"{folder}/out.png", "--nnf", f"{folder}/nnf.npy", "--quiet"]
     command += ["--guide", f"{folder}/source_0.png", f"{folder}/target_0.png"]
-    command += ["--save-levels", f"{folder}/levels", "--search-vote-iters", "60000"]
-    command += ["--pyramid-levels", "1"]
+    command += ["--save-levels", f"{folder}/levels", "--search-vote-iters", "3000"]
+    command += ["--pyramid-levels", "2"]
     process = subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
     try:
         limit = time.monotonic() + 120
-        while not (folder / "levels").exists() and time.monotonic() < limit:
+        while not (folder / "levels" / "level_1.png").exists() and time.monotonic() < limit:
             time.sleep(0.1)
-        time.sleep(1)
+        time.sleep(0.2)
         process.send_signal(signal.SIGINT)
         _, errors = process.communicate(timeout=120)
     finally:
         process.kill()
     assert process.returncode == 130
-    assert errors.strip() == "stylit-ref: interrupted, nothing written"
+    assert errors.strip() == "stylit-ref: interrupted; no partial file is left"
     assert not (folder / "out.png").exists()
     assert not (folder / "nnf.npy").exists()
-    assert list((folder / "levels").iterdir()) == []
+    assert [file.name for file in (folder / "levels").iterdir()] == ["level_1.png"]
+    assert not [file for file in folder.iterdir() if file.name.startswith(".")]

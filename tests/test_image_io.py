@@ -7,6 +7,7 @@ from exr_files import write_exr, write_parts
 
 from stylit_ref import InputError, read_image, read_uint8, to_uint8, write_image
 from stylit_ref.bit_depth import to_linear
+from stylit_ref.image_io import check_image_writable, read_guides
 
 
 @pytest.fixture
@@ -118,6 +119,81 @@ def test_not_finite(tmp_path, value):
     file = write_exr(tmp_path / "a.exr", {"R": plane, "G": 0, "B": 0})
     with pytest.raises(InputError, match=r"a.exr: 1 pixels are NaN or infinite.*\(2, 5\)"):
         read_uint8(file)
+
+
+@pytest.mark.parametrize("dtype", [np.float64, np.int32, bool])
+def test_other_depths_are_not_written(tmp_path, image, dtype):
+    with pytest.raises(InputError, match=f"a.png: the image has dtype {np.dtype(dtype)}"):
+        write_image(tmp_path / "a.png", image.astype(dtype))
+    assert not list(tmp_path.iterdir())
+
+
+def test_integer_layers_are_refused(tmp_path):
+    spec = oiio.ImageSpec(8, 6, 1, "uint")
+    spec.channelnames = ("ID.Y",)
+    output = oiio.ImageOutput.create(str(tmp_path / "a.exr"))
+    output.open(str(tmp_path / "a.exr"), spec)
+    output.write_image(np.full((6, 8, 1), 3, np.uint32))
+    output.close()
+    with pytest.raises(InputError, match="holds uint"):
+        read_image(tmp_path / "a.exr")
+
+
+def test_clipping_is_said(tmp_path):
+    file = write_exr(tmp_path / "a.exr", {"N.X": -1.0, "N.Y": 0.5, "N.Z": 0.5})
+    with pytest.warns(UserWarning, match="33% of the values lie outside"):
+        read_uint8(file)
+
+
+def test_luminance_and_chroma_give_the_luminance(tmp_path):
+    file = write_exr(tmp_path / "a.exr", {"BY": 0.1, "RY": 0.2, "Y": 0.5})
+    np.testing.assert_array_equal(read_image(file)[0, 0], [0.5])
+
+
+def test_alpha_alone_is_not_the_image(tmp_path):
+    file = write_exr(tmp_path / "a.exr", {"A": 1, "LDE.R": 0.1, "LSE.R": 0.2})
+    with pytest.raises(InputError, match="no unnamed layer"):
+        read_image(file)
+
+
+def test_a_link_stays_a_link(tmp_path, image):
+    write_image(tmp_path / "real.png", image)
+    (tmp_path / "link.png").symlink_to(tmp_path / "real.png")
+    write_image(tmp_path / "link.png", 255 - image)
+    assert (tmp_path / "link.png").is_symlink()
+    np.testing.assert_array_equal(read_image(tmp_path / "real.png"), 255 - image)
+
+
+def test_a_format_that_cannot_hold_the_image_is_refused_early(tmp_path, image):
+    with pytest.raises(InputError, match=r"a\.hdr: cannot be written"):
+        check_image_writable(tmp_path / "a.hdr", 1)
+    check_image_writable(tmp_path / "a.png", 1)
+    assert not list(tmp_path.iterdir())
+
+
+class TestGuides:
+    def read(self, tmp_path, source, target):
+        write_image(tmp_path / "s.png", source)
+        write_image(tmp_path / "t.png", target)
+        return read_guides(tmp_path / "s.png", tmp_path / "t.png")
+
+    def test_alpha_is_kept_in_both_if_one_is_transparent(self, tmp_path, image):
+        alpha = np.tile([0, 255], (6, 4)).astype(np.uint8)
+        rgba = np.dstack([image * (alpha > 0)[..., None], alpha])
+        source, target = self.read(tmp_path, image, rgba)
+        np.testing.assert_array_equal(source, np.dstack([image, np.full((6, 8), 255)]))
+        np.testing.assert_array_equal(target, rgba)
+
+    def test_opaque_alpha_is_dropped_from_both(self, tmp_path, image):
+        rgba = np.dstack([image, np.full((6, 8), 255, np.uint8)])
+        source, target = self.read(tmp_path, rgba, image)
+        np.testing.assert_array_equal(source, image)
+        np.testing.assert_array_equal(target, image)
+
+    def test_grey_is_spread_beside_colour(self, tmp_path, image):
+        source, target = self.read(tmp_path, image[:, :, 0], image)
+        np.testing.assert_array_equal(source, image[:, :, :1].repeat(3, axis=2))
+        np.testing.assert_array_equal(target, image)
 
 
 def test_missing_layer_lists_what_there_is(tmp_path):

@@ -165,10 +165,13 @@ class TestMask:
         )
         assert_same(a, b)
 
-    def test_an_empty_mask_changes_nothing(self):
+    def test_an_empty_mask_adds_an_opaque_alpha_and_changes_nothing(self):
         scene = small_scene()
-        empty = np.zeros((38, 44), bool)
-        assert_same(stylize(*scene, QUICK), stylize(*scene, QUICK, mask=empty))
+        plain = stylize(*scene, QUICK)
+        masked = stylize(*scene, QUICK, mask=np.zeros((38, 44), bool))
+        np.testing.assert_array_equal(masked.image[:, :, :3], plain.image)
+        assert (masked.image[:, :, 3] == 255).all()
+        np.testing.assert_array_equal(masked.nnf, plain.nnf)
 
 
 class TestReplay:
@@ -200,6 +203,12 @@ class TestReplay:
         large = replay(result.nnf, style.repeat(3, axis=0).repeat(3, axis=1), scale=3)
         np.testing.assert_array_equal(large, result.image.repeat(3, axis=0).repeat(3, axis=1))
 
+    def test_a_forgotten_scale_is_noticed(self):
+        style, *guides = small_scene()
+        result = stylize(style, *guides, QUICK)
+        with pytest.warns(UserWarning, match="is the style an enlargement"):
+            replay(result.nnf, style.repeat(3, axis=0).repeat(3, axis=1))
+
     def test_unassigned_pixels_are_zero(self):
         style, *guides = small_scene()
         result = stylize(style, *guides, QUICK, mask=TestMask.mask)
@@ -217,6 +226,7 @@ class TestReplay:
             ({"style": np.zeros((40, 46, 3))}, "float64"),
             ({"patch_width": 4}, "patch_width is 4"),
             ({"scale": 3}, "multiples of the scale 3"),
+            ({"scale": 2.0}, "scale is 2.0"),
         ],
         ids=str,
     )
@@ -245,16 +255,20 @@ def bad_scene(**changes):
         ({"params": Params(guide_weights=(1.0,))}, "1 guide weights for 2 guides"),
         ({"params": Params(patch_width=41)}, "source is 46x40"),
         ({"params": Params(patch_width=39, levels=1)}, "target is 44x38"),
-        ({"params": Params(uniformity=1e15)}, "uniformity 1e"),
+        ({"params": Params(uniformity=1e12)}, "uniformity 1e"),
         ({"params": Params(guide_weights=(1e9, 1.0))}, "guide weight 1e"),
+        ({"params": Params(guide_weights=(1e-9, 1.0))}, "too small to count"),
         ({"seed": -1}, "seed is -1"),
         ({"seed": 1 << 64}, "seed is"),
+        ({"seed": 0.5}, "seed is 0.5"),
+        ({"threads": 1.0}, "threads is 1.0"),
         ({"threads": 0}, "threads is 0"),
         ({"threads": 100000}, "threads is 100000"),
         ({"backend": "cuda"}, "'cuda'"),
         ({"mask": np.ones((38, 44), bool)}, "whole target"),
         ({"mask": np.zeros((38, 43), bool)}, "mask is 43x38 but the target is 44x38"),
         ({"mask": np.zeros((38, 44))}, "float64"),
+        ({"mask": np.zeros((38, 44, 1), bool)}, r"\(38, 44, 1\)"),
         ({"mask": np.eye(38, 44, dtype=bool), "fill": np.zeros((38, 43, 3), np.uint8)}, "43x38"),
     ],
     ids=lambda value: value if isinstance(value, str) else ",".join(value),
@@ -263,6 +277,19 @@ def test_bad_input_is_one_sentence(change, message):
     with pytest.raises(InputError, match=message) as caught:
         stylize(**bad_scene(**change))
     assert "\n" not in str(caught.value)
+
+
+def test_a_weight_too_small_for_fixed_point_is_said():
+    style, sources, targets = small_scene()
+    params = quick(patch_width=21, levels=1, uniformity=10)
+    with pytest.warns(UserWarning, match="uniformity 10 is rounded to"):
+        stylize(style, sources, targets, params)
+
+
+def test_guide_weights_may_be_any_sequence():
+    scene = small_scene()
+    a, b = (stylize(*scene, quick(guide_weights=w)) for w in ((2.0, 1.0), np.array([2.0, 1.0])))
+    assert_same(a, b)
 
 
 def test_guides_of_different_sizes_or_channels():
@@ -284,8 +311,10 @@ def test_guides_of_different_sizes_or_channels():
         ({"patchmatch_iterations": 1.5}, "patchmatch_iterations is 1.5"),
         ({"uniformity": -1}, "uniformity is -1"),
         ({"uniformity": float("nan")}, "uniformity is nan"),
+        ({"uniformity": 1e305}, r"uniformity is 1e\+305"),
         ({"guide_influence": float("inf")}, "guide_influence is inf"),
-        ({"guide_weights": (1.0, -2.0)}, "guide weight -2.0"),
+        ({"guide_weights": (1.0, -2.0)}, "guide weight 2 is -2.0"),
+        ({"guide_weights": 1.0}, "must be a sequence"),
         ({"schedule": "live"}, "'live'"),
     ],
     ids=str,

@@ -8,6 +8,7 @@ from stylit_ref.passes.propagation import propagation
 from stylit_ref.passes.pyramid import downsample, downsample_mask, upsample_nnf
 from stylit_ref.passes.random_nnf import random_nnf
 from stylit_ref.passes.random_search import random_search
+from stylit_ref.passes.replay_vote import replay_vote
 from stylit_ref.passes.scanline import scanline
 from stylit_ref.passes.similarity import similarity
 from stylit_ref.passes.vote import vote
@@ -24,6 +25,7 @@ __all__ = [
     "propagation",
     "random_nnf",
     "random_search",
+    "replay_vote",
     "scanline",
     "similarity",
     "upsample_nnf",

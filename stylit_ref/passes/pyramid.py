@@ -40,7 +40,7 @@ def downsample(image):
 
 @njit
 def downsample_mask(synthesized):
-    """Halve a mask: a pixel is synthesized where any pixel that descends from it is.
+    """Halve a map of what is synthesized: a pixel is where any that descends from it is.
 
     Parameters
     ----------

@@ -1,5 +1,6 @@
 """Reports on a tiny scene: what is written, and what is not computed twice."""
 
+import re
 import sys
 
 import numpy as np
@@ -9,8 +10,9 @@ from small_scene import small_scene
 
 import eval.runs
 from eval.__main__ import main
-from eval.bench import timed
+from eval.bench import THESIS, timed
 from eval.scenes import BUNDLED, load_scene
+from eval.schedules_report import schedule_ratios
 from stylit_ref import InputError, Params, write_image
 
 
@@ -71,11 +73,60 @@ def test_a_run_is_computed_once(folder, monkeypatch):
         eval.runs.run(load_scene(folder, step=2), params, 0)
 
 
+def test_schedules_report(folder):
+    arguments = ["--uniformities", "0", "50000", "--seeds", "0", "1"]
+    assert main(["schedules", "--scene", str(folder), *arguments]) == 0
+    report = folder.parent / "reports" / "schedules_small_44x38"
+    numbers = pd.read_csv(report / "schedules.csv")
+    assert list(numbers["λ"]) == [0, 0, 50000, 50000]
+    assert list(numbers["schedule"]) == ["scanline", "propose_commit"] * 2
+    assert (report / "schedules.png").exists()
+
+
+def test_ratios_judge_each_bar():
+    columns = ["phi", "delta", "image_energy", "distinct", "distinct_in_image"]
+    columns += ["sharpness", "richness"]
+    rows = []
+    for uniformity, phi, distinct in (("0", 1.019, 1.0), ("1", 1.021, 1.1), ("2", 0.9, 0.99)):
+        rows.append({"λ": uniformity, "schedule": "scanline"} | dict.fromkeys(columns, 1.0))
+        rows.append({**rows[-1], "schedule": "propose_commit", "phi": phi, "distinct": distinct})
+    ratios = schedule_ratios(pd.DataFrame(rows))
+    assert list(ratios["φ, δ within"]) == ["yes", "no", "yes"]
+    assert list(ratios["usage, sharpness kept"]) == ["yes", "yes", "no"]
+
+
+def test_bench_measures_both_programs_alike(folder, capsys, monkeypatch):
+    """With a program that copies the style in place of ebsynth."""
+    monkeypatch.setattr("eval.bench.THESIS", {**THESIS, "levels": 1, "votes": 1})
+    monkeypatch.setattr("eval.bench.EBSYNTH_DEFAULTS", {**THESIS, "levels": 1, "votes": 1})
+    program = folder.parent / "program"
+    program.write_text(
+        f"#!{sys.executable}\n"
+        "import sys\n"
+        "from stylit_ref import read_image, write_image\n"
+        "from pathlib import Path\n"
+        "options = sys.argv\n"
+        "Path('arguments.txt').write_text(' '.join(options))\n"
+        "image = read_image(options[options.index('-style') + 1])\n"
+        "write_image(options[options.index('-output') + 1], image[:38, :44])\n"
+    )
+    program.chmod(0o755)
+    assert main(["bench", "--scene", str(folder), "--ebsynth", str(program)]) == 0
+    arguments = (folder.parent / "arguments.txt").read_text()
+    assert re.search(r"-guide \S+source_fullgi.png \S+target_fullgi.png -weight 1.5 ", arguments)
+    assert re.search(r"source_id.png \S+target_id.png -weight 0.5 -uniformity 10000", arguments)
+    assert "-pyramidlevels 1 -searchvoteiters 1 -patchmatchiters 6" in arguments
+    numbers = pd.read_csv(folder.parent / "reports" / "bench_small_44x38" / "bench.csv")
+    assert list(numbers["program"]) == ["stylit-ref", "ebsynth"] * 2
+    assert "one thread takes" in capsys.readouterr().out
+
+
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
         (["lambda", "--scene", "none"], "none: no such folder"),
         (["lambda", "--scene", "."], "is no scene"),
+        (["lambda", "--scene", "small", "--step", "0"], "step is 0"),
         (["bench", "--scene", "small", "--ebsynth", "./none"], "./none: is no program"),
     ],
     ids=lambda value: value[0] if isinstance(value, list) else "",

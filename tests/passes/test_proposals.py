@@ -23,7 +23,13 @@ CASES = [
     {"patch_width": 13, "source_size": (14, 15), "target_size": (13, 9)},
     {"guide_channels": (3,) * 8, "source_size": (5, 5), "target_size": (6, 1)},
     {"masked": np.eye(14, 12, dtype=bool)},
+    {"smooth": True, "crowded": True, "uniformity": 200},
+    {"constant": True, "crowded": True},
 ]
+TIES = {"constant": True, "uniformity": 0}
+
+
+STREAM = random_stream(7, RANDOM_SEARCH, 1, 2, 3)
 
 
 def proposals(level):
@@ -54,12 +60,8 @@ def check(level, new_nnf, new_delta, candidates_of):
     return improved
 
 
-@pytest.mark.parametrize("distance", [1, 4])
-@pytest.mark.parametrize("case", CASES, ids=str)
-def test_propagation(case, distance):
-    level = make_level(**case)
-    new_nnf, new_delta = proposals(level)
-    passes.propagation(*metric(level), level.nnf, level.delta, new_nnf, new_delta, distance)
+def propagated(level, distance):
+    """Candidates of a target pixel: the neighbours' assignments, shifted back."""
 
     def candidates_of(y, x):
         for dy, dx in ((0, distance), (distance, 0), (0, -distance), (-distance, 0)):
@@ -70,16 +72,11 @@ def test_propagation(case, distance):
                     *level.nnf[near], dy, dx, level.patch_width // 2, *level.omega.shape
                 )
 
-    improved = check(level, new_nnf, new_delta, candidates_of)
-    assert improved > 0 or level.omega.shape == (5, 5)
+    return candidates_of
 
 
-@pytest.mark.parametrize("case", CASES, ids=str)
-def test_random_search(case):
-    level = make_level(**case)
-    new_nnf, new_delta = proposals(level)
-    stream = random_stream(7, RANDOM_SEARCH, 1, 2, 3)
-    passes.random_search(*metric(level), level.nnf, level.delta, new_nnf, new_delta, stream)
+def searched(level, stream):
+    """Candidates of a target pixel: random, at radius 1, 2, 4, ..."""
     height, width = level.nnf.shape[:2]
 
     def candidates_of(y, x):
@@ -92,8 +89,59 @@ def test_random_search(case):
             )
             search_radius, k = 2 * search_radius, k + 1
 
-    improved = check(level, new_nnf, new_delta, candidates_of)
+    return candidates_of
+
+
+@pytest.mark.parametrize("distance", [1, 4])
+@pytest.mark.parametrize("case", CASES, ids=str)
+def test_propagation(case, distance):
+    level = make_level(**case)
+    new_nnf, new_delta = proposals(level)
+    passes.propagation(*metric(level), level.nnf, level.delta, new_nnf, new_delta, distance)
+    improved = check(level, new_nnf, new_delta, propagated(level, distance))
     assert improved > 0 or level.omega.shape == (5, 5)
+
+
+@pytest.mark.parametrize("case", CASES, ids=str)
+def test_random_search(case):
+    level = make_level(**case)
+    new_nnf, new_delta = proposals(level)
+    passes.random_search(*metric(level), level.nnf, level.delta, new_nnf, new_delta, STREAM)
+    improved = check(level, new_nnf, new_delta, searched(level, STREAM))
+    assert improved > 0 or level.omega.shape == (5, 5)
+
+
+def test_equal_candidates_do_not_move():
+    level = make_level(**TIES)
+    new_nnf, new_delta = proposals(level)
+    passes.propagation(*metric(level), level.nnf, level.delta, new_nnf, new_delta, 1)
+    np.testing.assert_array_equal(new_nnf, level.nnf)
+    passes.random_search(*metric(level), level.nnf, level.delta, new_nnf, new_delta, STREAM)
+    np.testing.assert_array_equal(new_nnf, level.nnf)
+
+
+@pytest.mark.parametrize("candidates", [propagated, searched])
+def test_the_cases_exercise_every_saving(candidates):
+    """How often each early exit would be taken, by the plain formula, over the cases."""
+    exits = {"penalization": 0, "bound": 0, "evaluated": 0}
+    for case in CASES:
+        level = make_level(**case)
+        candidates_of = candidates(level, 1 if candidates is propagated else STREAM)
+        omega = brute_force.omega(level.nnf, level.omega.shape, level.patch_width)
+        for y, x in np.argwhere(level.nnf[:, :, 0] >= 0):
+            phi_current = brute_force.phi(level, omega, y, x, *level.nnf[y, x])
+            for candidate in candidates_of(y, x):
+                penalty = level.occurrence_weight * brute_force.omega_sum(
+                    omega, level.patch_width, *candidate
+                )
+                bound = brute_force.delta_bound(level, y, x, *candidate)
+                if penalty >= phi_current:
+                    exits["penalization"] += 1
+                elif penalty + bound >= phi_current:
+                    exits["bound"] += 1
+                else:
+                    exits["evaluated"] += 1
+    assert min(exits.values()) > 50, exits
 
 
 def test_phi_is_the_definition():

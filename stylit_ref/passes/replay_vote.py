@@ -1,0 +1,38 @@
+"""Voting with another style image, at its own depth and possibly enlarged."""
+
+import numpy as np
+from numba import njit, prange
+
+
+@njit(parallel=True)
+def replay_vote(style, means, nnf, patch_width, scale):
+    """Mean of the votes as in :func:`stylit_ref.passes.vote.vote`, ``scale`` pixels for one.
+
+    Parameters
+    ----------
+    style : (scale * H_A, scale * W_A, n) uint8, uint16 or float32
+    means : (scale * H_B, scale * W_B, n) float64
+        Overwritten where an assigned patch covers the pixel; not rounded.
+    nnf : (H_B, W_B, 2) int32
+        Negative where nothing is assigned.
+    patch_width, scale : int
+    """
+    height, width = nnf.shape[:2]
+    radius = patch_width // 2
+    for fine_y in prange(means.shape[0]):
+        totals = np.zeros(style.shape[2], np.float64)
+        y, offset_y = fine_y // scale, fine_y % scale
+        for fine_x in range(means.shape[1]):
+            x, offset_x = fine_x // scale, fine_x % scale
+            totals[:] = 0
+            votes = 0
+            for near_y in range(max(y - radius, 0), min(y + radius + 1, height)):
+                for near_x in range(max(x - radius, 0), min(x + radius + 1, width)):
+                    if nnf[near_y, near_x, 0] >= 0:
+                        source_y = (nnf[near_y, near_x, 0] - (near_y - y)) * scale + offset_y
+                        source_x = (nnf[near_y, near_x, 1] - (near_x - x)) * scale + offset_x
+                        for c in range(style.shape[2]):
+                            totals[c] += style[source_y, source_x, c]
+                        votes += 1
+            if votes:
+                means[fine_y, fine_x] = totals / votes
