@@ -98,3 +98,11 @@ def test_scanline_is_section_2_4(case, iteration):
     scanline(level, 0, 1, 1, iteration)
     assert (expected != before).any()
     np.testing.assert_array_equal(level.nnf, expected)
+
+
+@pytest.mark.parametrize("schedule", [propose_commit, scanline])
+def test_equal_patches_do_not_move(schedule):
+    level = make_level(constant=True, uniformity=0)
+    before = level.nnf.copy()
+    schedule(level, 0, 1, 1, 1)
+    np.testing.assert_array_equal(level.nnf, before)
