@@ -28,7 +28,7 @@ th, td {{ border-bottom: 1px solid #ccc; padding: .2rem .8rem; text-align: right
 def circumstances():
     """One line that says which machine and which commit made a report."""
     return (
-        f"stylit-ref {__version__}, commit {_commit()}; {_processor()}, "
+        f"stylit-ref {__version__}, commit {_COMMIT}; {_processor()}, "
         f"{numba.config.NUMBA_NUM_THREADS} threads; Python {platform.python_version()}, "
         f"numba {numba.__version__}; {date.today().isoformat()}"
     )
@@ -71,6 +71,10 @@ def _git(*arguments):
     checkout = Path(__file__).parents[1]
     command = ["git", "-C", checkout, *arguments]
     return subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip()
+
+
+# Taken at the start: what is edited or committed during a long report did not make it.
+_COMMIT = _commit()
 
 
 def _processor():
