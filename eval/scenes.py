@@ -83,13 +83,19 @@ def load_scene(folder, step=1):
     if not folder.is_dir():
         raise InputError(f"{folder}: no such folder")
     files = {file.stem: file for file in sorted(folder.iterdir()) if file.is_file()}
-    names = (stem.removeprefix("target_") for stem in files if stem.startswith("target_"))
-    guides = tuple(name for name in names if name != "style" and f"source_{name}" in files)
-    if "source_style" not in files or not guides:
+    sources, targets = (
+        {stem.removeprefix(side) for stem in files if stem.startswith(side)} - {"style"}
+        for side in ("source_", "target_")
+    )
+    if "source_style" not in files or not sources | targets:
         raise InputError(
             f"{folder}: is no scene; it needs source_style and, for each guide, "
             "source_<guide> and target_<guide> images"
         )
+    for alone in sorted(sources ^ targets):
+        missing = f"target_{alone}" if alone in sources else f"source_{alone}"
+        raise InputError(f"{folder}: the guide '{alone}' lacks its {missing} image")
+    guides = tuple(sorted(sources))
 
     def reduced(image):
         return np.ascontiguousarray(image[::step, ::step])

@@ -51,6 +51,13 @@ def main(arguments=None):
     return 0
 
 
+class _Parser(argparse.ArgumentParser):
+    """Refuses in one sentence, as everything else does."""
+
+    def error(self, message):
+        self.exit(2, f"{self.prog}: {message} (--help shows the options)\n")
+
+
 class _Weigh(argparse.Action):
     """``--weight`` belongs to the ``--guide`` before it."""
 
@@ -61,7 +68,7 @@ class _Weigh(argparse.Action):
 
 
 def _parser():
-    parser = argparse.ArgumentParser(
+    parser = _Parser(
         prog="stylit-ref",
         description="Illumination-guided, example-based stylization of 3D renderings.",
         allow_abbrev=False,

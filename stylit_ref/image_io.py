@@ -20,8 +20,9 @@ FLOAT_FORMATS = (".exr", ".hdr", ".pfm")
 """Files that hold scene-linear floating point."""
 
 _CHANNEL_ORDER = "RGBXYZUVA"
-_DEPTHS = {"uint8": "uint8", "uint16": "uint16", "half": "float", "float": "float"}
-_DEPTHS["double"] = "float"
+_DEPTHS = {"uint8": "uint8", "uint16": "uint16"} | dict.fromkeys(
+    ("half", "float", "double"), "float"
+)
 
 
 def read_image(path):
@@ -155,6 +156,8 @@ def check_image_writable(path, channels):
             f"{path}: no image format is known by the suffix '{path.suffix}'; "
             "use .png, .tif or .exr"
         )
+    if output.format_name() == "gif":
+        raise InputError(f"{path}: GIF files hold only 256 colours; use .png, .tif or .exr")
     if channels in (2, 4) and not output.supports("alpha"):
         raise InputError(
             f"{path}: {output.format_name()} files have no transparency and the image has "

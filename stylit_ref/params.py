@@ -52,10 +52,9 @@ class Params:
     schedule: Schedule = "propose_commit"
 
     def __post_init__(self):
-        if not isinstance(self.patch_width, Integral) or self.patch_width % 2 == 0:
-            raise InputError(f"patch_width is {self.patch_width}; it must be an odd integer")
-        if not 3 <= self.patch_width <= 63:
-            raise InputError(f"patch_width is {self.patch_width}; it must be from 3 to 63")
+        width = self.patch_width
+        if not isinstance(width, Integral) or width % 2 == 0 or not 3 <= width <= 63:
+            raise InputError(f"patch_width is {width}; it must be an odd integer from 3 to 63")
         for name, most in (("levels", 16), ("votes", 65535), ("patchmatch_iterations", 65535)):
             value = getattr(self, name)
             if not isinstance(value, Integral) or not 1 <= value <= most:

@@ -62,10 +62,11 @@ def replay(
     assigned = nnf[nnf[:, :, 0] >= 0]
     limit = np.array(style.shape[:2]) // scale - 1 - radius
     if assigned.size and ((assigned < radius).any() or (assigned > limit).any()):
+        low, high = assigned.min(axis=0).tolist(), assigned.max(axis=0).tolist()
         raise InputError(
-            f"the NNF points to source pixels up to (y, x) = {tuple(assigned.max(axis=0))}, "
-            f"but a style of {style.shape[1]}x{style.shape[0]} at scale {scale} has patches of "
-            f"width {patch_width} only up to {tuple(limit)}"
+            f"the NNF points to source pixels (y, x) from {low} to {high}, but a style of "
+            f"{style.shape[1]}x{style.shape[0]} at scale {scale} has patches of width "
+            f"{patch_width} only from {[radius, radius]} to {limit.tolist()}"
         )
     if assigned.size and (assigned.max(axis=0) * 2 < limit).all():
         warnings.warn(

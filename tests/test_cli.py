@@ -93,7 +93,9 @@ def test_weight_without_guide(scene, capsys):
     with pytest.raises(SystemExit) as caught:
         main(["run", "--weight", "2", "--style", "s.png", "--output", "o.png"])
     assert caught.value.code == 2
-    assert "must follow the --guide" in capsys.readouterr().err
+    message = capsys.readouterr().err.strip()
+    assert "must follow the --guide" in message
+    assert "\n" not in message
 
 
 def test_progress_shows_the_energy(scene, monkeypatch, capfd):

@@ -230,6 +230,7 @@ def test_truncated_file(tmp_path, image):
         ("none/a.png", "folder .*none does not exist"),
         ("a.xyz", "no image format is known by the suffix '.xyz'"),
         ("a", "suffix ''"),
+        ("a.gif", "256 colours"),
         ("taken.png", "is a folder"),
     ],
 )

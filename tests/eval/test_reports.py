@@ -37,6 +37,12 @@ def test_scene_is_read_by_names(folder):
     assert load_scene(folder, step=2).size == "22x19"
 
 
+def test_a_guide_without_its_partner_is_named(folder):
+    (folder / "target_id.png").unlink()
+    with pytest.raises(InputError, match="the guide 'id' lacks its target_id image"):
+        load_scene(folder)
+
+
 def test_bundled_scene_is_complete():
     scene = load_scene(BUNDLED)
     assert scene.guide_names == ("dirdif", "dirspc", "fullgi", "indirb")
