@@ -47,12 +47,11 @@ class Level:
         self.delta = np.zeros((height, width), np.int64)
         self.proposed_nnf, self.proposed_delta = self.nnf.copy(), self.delta.copy()
         self.omega, self.omega_sums = np.zeros((2, *source.shape[:2]), np.int32)
-        self.target_patches = np.count_nonzero(synthesized)
         self.occurrence_weight = occurrence_weight(
             params.uniformity,
             self.patch_width,
             source.shape[0] * source.shape[1],
-            self.target_patches,
+            np.count_nonzero(synthesized),
         )
 
     @property

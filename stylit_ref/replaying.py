@@ -5,6 +5,7 @@ from numbers import Integral
 
 import numpy as np
 
+from stylit_ref.checks import size
 from stylit_ref.errors import InputError
 from stylit_ref.passes import replay_vote
 
@@ -55,8 +56,7 @@ def replay(
         raise InputError(f"scale is {scale}; it must be a positive integer")
     if style.shape[0] % scale or style.shape[1] % scale:
         raise InputError(
-            f"the style is {style.shape[1]}x{style.shape[0]}; "
-            f"its sides must be multiples of the scale {scale}"
+            f"the style is {size(style.shape)}; its sides must be multiples of the scale {scale}"
         )
     radius = patch_width // 2
     assigned = nnf[nnf[:, :, 0] >= 0]
@@ -65,12 +65,12 @@ def replay(
         low, high = assigned.min(axis=0).tolist(), assigned.max(axis=0).tolist()
         raise InputError(
             f"the NNF points to source pixels (y, x) from {low} to {high}, but a style of "
-            f"{style.shape[1]}x{style.shape[0]} at scale {scale} has patches of width "
+            f"{size(style.shape)} at scale {scale} has patches of width "
             f"{patch_width} only from {[radius, radius]} to {limit.tolist()}"
         )
     if assigned.size and (assigned.max(axis=0) * 2 < limit).all():
         warnings.warn(
-            f"the NNF uses less than half of the style's {style.shape[1]}x{style.shape[0]} at "
+            f"the NNF uses less than half of the style's {size(style.shape)} at "
             f"scale {scale}; is the style an enlargement, and the scale larger?",
             stacklevel=2,
         )
