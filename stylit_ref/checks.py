@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from stylit_ref.errors import InputError
-from stylit_ref.formulae.bounded_metric import sum_width
+from stylit_ref.formulae.patch_moments import BOUND_SCALE
 from stylit_ref.formulae.patch_penalization import omega_best
 from stylit_ref.packing import ONE, occurrence_weight
 
@@ -102,7 +102,7 @@ def fit_levels(params, source_size, target_size):
 
 
 def check_range(packing, params, source_size, target_patches):
-    """The integers of the metric must fit: W 32 bits; φ, times the pixels of a sum, 64."""
+    """The integers of the metric must fit: W 32 bits; φ, times the scale of its bound, 64."""
     patch_pixels = params.patch_width**2
     if target_patches * patch_pixels >= 1 << 31:
         raise InputError(
@@ -122,7 +122,7 @@ def check_range(packing, params, source_size, target_patches):
         )
     largest_delta = patch_pixels * 255**2 * int(packing.weights.sum())
     largest_phi = weight * patch_pixels * target_patches + largest_delta
-    if largest_phi * sum_width(params.patch_width) ** 2 >= 1 << 62:
+    if largest_phi * BOUND_SCALE >= 1 << 62:
         raise InputError(
             f"uniformity {params.uniformity:g} with guide influence {params.guide_influence:g} "
             "overflows 64-bit integers on images of this size; choose smaller ones"

@@ -35,13 +35,15 @@ class Level:
         self.textures = Textures(
             source=source,
             target=padded,
-            source_sums=np.zeros(source.shape, np.int16),
-            target_sums=np.zeros(target.shape, np.int16),
+            source_moments=_zeros_from_a_cache_line(*source.shape[:2], len(packing.moments)),
+            target_moments=_zeros_from_a_cache_line(height, width, len(packing.moments)),
             weights=packing.weights,
             pair_weights=packing.pair_weights,
+            moment_weights=packing.moment_weights(self.patch_width),
         )
-        passes.patch_sums(source, self.textures.source_sums, self.patch_width, radius)
-        passes.patch_sums(padded, self.textures.target_sums, self.patch_width, 0)
+        style = packing.style_channel, packing.style_channels
+        passes.patch_moments(source, self.textures.source_moments, self.patch_width, radius, *style)
+        passes.patch_moments(padded, self.textures.target_moments, self.patch_width, 0, *style)
 
         self.nnf = np.where(synthesized[:, :, None], np.int32(0), np.int32(-1)).repeat(2, axis=2)
         self.delta = np.zeros((height, width), np.int64)
@@ -74,19 +76,33 @@ class Level:
             self.packing.style_channel,
             self.packing.style_channels,
         )
-        self.passes.patch_sums(
-            self.textures.target,
-            self.textures.target_sums,
-            self.patch_width,
-            0,
-            self.packing.style_channel,
-        )
         self.update_similarity()
 
     def update_similarity(self):
         self.passes.similarity(self.textures, self.patch_width, self.nnf, self.delta)
 
+    def update_moments(self):
+        """Moments of the target's patches with B' as it stands: the search reads them."""
+        self.passes.patch_moments(
+            self.textures.target,
+            self.textures.target_moments,
+            self.patch_width,
+            0,
+            self.packing.style_channel,
+            self.packing.style_channels,
+            style_only=True,
+        )
+
     def energy(self):
         """Mean δ and mean λρ, in the thesis' units."""
         delta, omega_sum = self.passes.energy(self.nnf, self.delta, self.omega_sums)
         return delta / ONE, self.occurrence_weight * omega_sum / ONE
+
+
+def _zeros_from_a_cache_line(*shape):
+    """An int16 array of zeros whose first element starts a cache line."""
+    line = 64 // 2
+    size = int(np.prod(shape))
+    buffer = np.zeros(size + line, np.int16)
+    first = -(buffer.ctypes.data // 2) % line
+    return buffer[first : first + size].reshape(shape)

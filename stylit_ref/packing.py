@@ -14,6 +14,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from stylit_ref.errors import InputError
+from stylit_ref.formulae.patch_moments import (
+    BOUND_SCALE,
+    CONSTANT,
+    STYLE_DEGREES,
+    moment_width,
+    squared_norm,
+)
 from stylit_ref.formulae.patch_penalization import omega_best
 from stylit_ref.formulae.row_differences import LANES
 
@@ -47,6 +54,31 @@ class Packing:
     def pair_weights(self):
         """Weights of neighbouring channels, (channels / 2,) uint32."""
         return self.weights.reshape(-1, 2).max(axis=1).astype(np.uint32)
+
+    @property
+    def moments(self):
+        """What each lane of a patch's moments holds: channel and degrees, or None for nothing.
+
+        A tuple of ``(channel, (vertical, horizontal))``, its length a multiple of 16:
+        the sums of all channels, then the higher moments of the style's.
+        """
+        lanes = [(channel, CONSTANT) for channel in range(self.channels)]
+        style = range(self.style_channel, self.style_channel + self.style_channels)
+        for degrees in STYLE_DEGREES:
+            lanes += [(channel, degree) for channel in style for degree in degrees]
+        return (*lanes, *[None] * (-len(lanes) % LANES))
+
+    def moment_weights(self, patch_width):
+        """Weights of neighbouring lanes in the bound of δ, (lanes / 2,) uint32.
+
+        Rounded down: the bound stays one.
+        """
+        width = moment_width(patch_width)
+        weights = [
+            BOUND_SCALE * int(self.weights[lane[0]]) // squared_norm(width, lane[1]) if lane else 0
+            for lane in self.moments
+        ]
+        return np.array(weights).reshape(-1, 2).max(axis=1).astype(np.uint32)
 
     def pack(self, guides, style=None):
         """Lay guides and style side by side.

@@ -17,7 +17,6 @@ They differ in when the occurrence map Ω changes:
     field loses coherence.
 """
 
-from stylit_ref.formulae.commit_classes import CLASS_STRIDE, commit_order
 from stylit_ref.formulae.random_stream import COMMIT_ORDER, RANDOM_SEARCH, random_stream
 
 PROPAGATION_DISTANCES = (4, 2, 1)
@@ -27,7 +26,7 @@ PROPAGATION_DISTANCES = (4, 2, 1)
 def propose_commit(level, seed, level_number, vote, iteration):
     """One PatchMatch iteration of the default schedule; returns the number of moves."""
     passes = level.passes
-    classes = commit_order(random_stream(seed, COMMIT_ORDER, level_number, vote, iteration))
+    commit_stream = random_stream(seed, COMMIT_ORDER, level_number, vote, iteration)
     search_stream = random_stream(seed, RANDOM_SEARCH, level_number, vote, iteration)
     proposal = (
         level.textures, level.omega_sums, level.occurrence_weight, level.patch_width,
@@ -35,7 +34,7 @@ def propose_commit(level, seed, level_number, vote, iteration):
     )  # fmt: skip
     commitment = (
         level.nnf, level.delta, level.proposed_nnf, level.proposed_delta,
-        level.omega_sums, level.occurrence_weight, level.patch_width, classes, CLASS_STRIDE,
+        level.omega_sums, level.occurrence_weight, level.patch_width, commit_stream,
     )  # fmt: skip
     moves = 0
     for distance in PROPAGATION_DISTANCES:

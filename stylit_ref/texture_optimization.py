@@ -107,6 +107,7 @@ def texture_optimization(
         level.init_occurrence_map()
         for vote in range(1, params.votes + 1):
             level.vote()
+            level.update_moments()
             for iteration in range(1, params.patchmatch_iterations + 1):
                 moves = SCHEDULES[params.schedule](level, seed, level_number, vote, iteration)
                 done += work[depth]

@@ -46,8 +46,8 @@ def omega_sum(omega_map, patch_width, source_y, source_x):
 
 
 def delta_bound(level, y, x, source_y, source_x):
-    """Lower bound of δ: squared difference of patch sums over their pixels, weighted."""
-    reach = min(level.patch_width, 11) // 2
+    """Lower bound of δ (Bessel): sums for guides, degrees up to two for the style."""
+    reach = min(level.patch_width, 5) // 2
     radius = level.patch_width // 2
     p = level.textures.target[
         y + radius - reach : y + radius + reach + 1, x + radius - reach : x + radius + reach + 1
@@ -55,8 +55,18 @@ def delta_bound(level, y, x, source_y, source_x):
     q = level.textures.source[
         source_y - reach : source_y + reach + 1, source_x - reach : source_x + reach + 1
     ]
-    differences = (p.astype(int) - q).sum(axis=(0, 1))
-    return (differences**2 * level.packing.weights).sum() / (2 * reach + 1) ** 2
+    differences = p.astype(int) - q
+    t = np.arange(-reach, reach + 1)
+    basis = [np.ones_like(t), t, t**2 - (t**2).mean()]
+    packing = level.packing
+    total = 0.0
+    for channel, weight in enumerate(packing.weights):
+        is_style = 0 <= channel - packing.style_channel < packing.style_channels
+        for v, h in [(0, 0), (0, 1), (1, 0), (0, 2), (2, 0), (1, 1)][: 6 if is_style else 1]:
+            product = np.outer(basis[v], basis[h])
+            moment = (differences[:, :, channel] * product).sum()
+            total += weight * moment**2 / (product**2).sum()
+    return total
 
 
 def phi(level, omega_map, y, x, source_y, source_x):

@@ -9,7 +9,12 @@ from small_level import make_level
 
 from stylit_ref import passes
 from stylit_ref.formulae.candidates import propagation_candidate, random_candidate
-from stylit_ref.formulae.random_stream import RANDOM_SEARCH, random_stream, random_words
+from stylit_ref.formulae.random_stream import (
+    COMMIT_ORDER,
+    RANDOM_SEARCH,
+    random_stream,
+    random_words,
+)
 from stylit_ref.patchmatch import propose_commit, scanline
 
 
@@ -28,7 +33,7 @@ def test_propose_commit_is_the_thesis_kernels_each_followed_by_a_commit():
         **{name: spy(name) for name in ("propagation", "random_search", "commit")}
     )
     propose_commit(level, 9, 2, 3, 4)
-    commit = ("commit", 4)
+    commit = ("commit", random_stream(9, COMMIT_ORDER, 2, 3, 4))
     assert calls == [
         ("propagation", 4), commit, ("propagation", 2), commit, ("propagation", 1), commit,
         ("random_search", random_stream(9, RANDOM_SEARCH, 2, 3, 4)), commit,

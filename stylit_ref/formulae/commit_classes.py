@@ -1,5 +1,7 @@
 """The interleaved classes of target pixels that commit one after another."""
 
+from numba import njit
+
 from stylit_ref.formulae.philox import uniform_below
 from stylit_ref.formulae.random_stream import random_words
 
@@ -7,20 +9,19 @@ CLASS_STRIDE = 4
 """Pixels between members of a class on each axis: 16 classes."""
 
 
-def commit_order(stream):
+@njit
+def commit_order(stream, order):
     """Shuffle the classes (Fisher-Yates), so that none is always first to choose.
 
     Parameters
     ----------
     stream : tuple of 4 uint32
-
-    Returns
-    -------
-    tuple of 16 (int, int)
-        First row and column of each class, in the order of commitment.
+    order : (16, 2) int32
+        Receives the first row and column of each class, in the order of commitment.
     """
-    classes = [(y, x) for y in range(CLASS_STRIDE) for x in range(CLASS_STRIDE)]
-    for last in range(len(classes) - 1, 0, -1):
+    for k in range(order.shape[0]):
+        order[k, 0], order[k, 1] = k // CLASS_STRIDE, k % CLASS_STRIDE
+    for last in range(order.shape[0] - 1, 0, -1):
         pick = uniform_below(random_words(stream, last, 0)[0], last + 1)
-        classes[last], classes[pick] = classes[pick], classes[last]
-    return tuple(classes)
+        for axis in range(2):
+            order[last, axis], order[pick, axis] = order[pick, axis], order[last, axis]

@@ -3,7 +3,7 @@
 from stylit_ref.passes.commit import commit
 from stylit_ref.passes.energy import energy
 from stylit_ref.passes.occurrence import box_sum, count_assignments, occurrence_map
-from stylit_ref.passes.patch_sums import patch_sums
+from stylit_ref.passes.patch_moments import patch_moments
 from stylit_ref.passes.propagation import propagation
 from stylit_ref.passes.pyramid import downsample, downsample_mask, upsample_nnf
 from stylit_ref.passes.random_nnf import random_nnf
@@ -21,7 +21,7 @@ __all__ = [
     "downsample_mask",
     "energy",
     "occurrence_map",
-    "patch_sums",
+    "patch_moments",
     "propagation",
     "random_nnf",
     "random_search",

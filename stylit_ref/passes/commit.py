@@ -7,40 +7,74 @@ class by class of an interleaved lattice, each compared once more with Ω as it 
 """
 
 import numpy as np
-from numba import njit
+from numba import get_num_threads, njit, prange
 
+from stylit_ref.formulae.commit_classes import CLASS_STRIDE, commit_order
 from stylit_ref.formulae.patch_penalization import update_omega_sums
+from stylit_ref.kernel import kernel
 
 
-@njit
-def _decide(
-    nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight,
-    first_y, first_x, stride, moved,
+@njit(forceinline=True)
+def _decide(nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, y, columns):
+    """Exchange assignment and proposal of a row's pixels where φ falls.
+
+    Keeps the ``columns`` of those that moved, in front; returns their number.
+    """
+    moved = 0
+    for x in columns:
+        old_y, old_x = nnf[y, x, 0], nnf[y, x, 1]
+        new_y, new_x = proposed_nnf[y, x, 0], proposed_nnf[y, x, 1]
+        old_phi = delta[y, x] + occurrence_weight * omega_sums[old_y, old_x]
+        new_phi = proposed_delta[y, x] + occurrence_weight * omega_sums[new_y, new_x]
+        if new_phi < old_phi:
+            nnf[y, x, 0], nnf[y, x, 1] = new_y, new_x
+            proposed_nnf[y, x, 0], proposed_nnf[y, x, 1] = old_y, old_x
+            delta[y, x] = proposed_delta[y, x]
+            columns[moved] = x
+            moved += 1
+    return moved
+
+
+@kernel()
+def _commit(
+    nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, patch_width, stream,
+    columns, counts, order, bands,
 ):  # fmt: skip
-    """Exchange assignment and proposal of a class where φ falls; list the pixels."""
-    count = 0
-    for y in range(first_y, nnf.shape[0], stride):
-        for x in range(first_x, nnf.shape[1], stride):
-            old_y, old_x = nnf[y, x, 0], nnf[y, x, 1]
-            new_y, new_x = proposed_nnf[y, x, 0], proposed_nnf[y, x, 1]
-            if new_y == old_y and new_x == old_x:
-                continue
-            old_phi = delta[y, x] + occurrence_weight * omega_sums[old_y, old_x]
-            new_phi = proposed_delta[y, x] + occurrence_weight * omega_sums[new_y, new_x]
-            if new_phi < old_phi:
-                nnf[y, x, 0], nnf[y, x, 1] = new_y, new_x
-                proposed_nnf[y, x, 0], proposed_nnf[y, x, 1] = old_y, old_x
-                delta[y, x] = proposed_delta[y, x]
-                moved[count, 0], moved[count, 1] = y, x
-                count += 1
-    return count
+    height, width = delta.shape
+    for y in prange(height):
+        for x in range(width):
+            if nnf[y, x, 0] != proposed_nnf[y, x, 0] or nnf[y, x, 1] != proposed_nnf[y, x, 1]:
+                place = x % CLASS_STRIDE
+                columns[y, place, counts[y, place]] = x
+                counts[y, place] += 1
+
+    commit_order(stream, order)
+    for n in range(order.shape[0]):
+        first_y, first_x = order[n, 0], order[n, 1]
+        for row in prange(-(-(height - first_y) // CLASS_STRIDE)):
+            y = first_y + CLASS_STRIDE * row
+            counts[y, first_x] = _decide(
+                nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight,
+                y, columns[y, first_x, : counts[y, first_x]],
+            )  # fmt: skip
+        if not occurrence_weight:
+            continue
+        # Each thread brings a band of W's rows up to date, for all moves that reach it.
+        for band in prange(bands):
+            first_row = omega_sums.shape[0] * band // bands
+            rows = omega_sums[first_row : omega_sums.shape[0] * (band + 1) // bands]
+            for y in range(first_y, height, CLASS_STRIDE):
+                for x in columns[y, first_x, : counts[y, first_x]]:
+                    update_omega_sums(rows, patch_width, nnf[y, x, 0] - first_row, nnf[y, x, 1], 1)
+                    update_omega_sums(
+                        rows, patch_width,
+                        proposed_nnf[y, x, 0] - first_row, proposed_nnf[y, x, 1], -1,
+                    )  # fmt: skip
 
 
-@njit
 def commit(
-    nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, patch_width,
-    classes, stride,
-):  # fmt: skip
+    nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, patch_width, stream
+):
     """Take up proposals where φ falls, one class of target pixels after another.
 
     Within a class all decisions read W as the class began; then W follows.
@@ -55,29 +89,22 @@ def commit(
         W, brought up to date after each class. Left alone where ``occurrence_weight``
         is 0 and nothing reads it.
     occurrence_weight, patch_width : int
-    classes : sequence of (int, int)
-        First row and column of each class, in order.
-    stride : int
-        Pixels between members of a class on each axis.
+    stream : tuple of 4 uint32
+        Decides the order of the classes
+        (:func:`stylit_ref.formulae.commit_classes.commit_order`).
 
     Returns
     -------
     int
         Number of pixels that moved.
     """
-    moved = np.empty((-(-nnf.shape[0] // stride) * -(-nnf.shape[1] // stride), 2), np.int32)
-    total = 0
-    for first_y, first_x in classes:
-        count = _decide(
-            nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight,
-            first_y, first_x, stride, moved,
-        )  # fmt: skip
-        if occurrence_weight:
-            for k in range(count):
-                y, x = moved[k, 0], moved[k, 1]
-                update_omega_sums(omega_sums, patch_width, nnf[y, x, 0], nnf[y, x, 1], 1)
-                update_omega_sums(
-                    omega_sums, patch_width, proposed_nnf[y, x, 0], proposed_nnf[y, x, 1], -1
-                )
-        total += count
-    return total
+    height, width = delta.shape
+    # The columns of the pixels that have a proposal, by row and class; then of those that moved.
+    columns = np.empty((height, CLASS_STRIDE, -(-width // CLASS_STRIDE)), np.int32)
+    counts = np.zeros((height, CLASS_STRIDE), np.int32)
+    order = np.empty((CLASS_STRIDE**2, 2), np.int32)
+    _commit(
+        nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, patch_width,
+        stream, columns, counts, order, get_num_threads(),
+    )  # fmt: skip
+    return int(counts.sum())

@@ -1,19 +1,19 @@
 """Texture energy: the metric summed over all target patches (thesis 2.2)."""
 
 import numpy as np
-from numba import njit, prange
+from numba import prange
+
+from stylit_ref.kernel import kernel
 
 
-@njit(parallel=True)
-def _row_sums(nnf, delta, omega_sums):
-    sums = np.zeros((delta.shape[0], 3), np.int64)
+@kernel()
+def _sum_rows(nnf, delta, omega_sums, sums):
     for y in prange(delta.shape[0]):
         for x in range(delta.shape[1]):
             if nnf[y, x, 0] >= 0:
                 sums[y, 0] += delta[y, x]
                 sums[y, 1] += omega_sums[nnf[y, x, 0], nnf[y, x, 1]]
                 sums[y, 2] += 1
-    return sums
 
 
 def energy(nnf, delta, omega_sums):
@@ -31,7 +31,8 @@ def energy(nnf, delta, omega_sums):
     mean_delta, mean_omega_sum : float
         In the units of the arguments: δ in fixed point.
     """
-    total_delta, total_omega_sum, patches = (
-        int(total) for total in _row_sums(nnf, delta, omega_sums).astype(object).sum(axis=0)
-    )
+    sums = np.zeros((delta.shape[0], 3), np.int64)
+    _sum_rows(nnf, delta, omega_sums, sums)
+    # Python's integers: the sum over all rows may pass 64 bits.
+    total_delta, total_omega_sum, patches = sums.astype(object).sum(axis=0)
     return total_delta / patches, total_omega_sum / patches

@@ -6,47 +6,46 @@ the box sum of Ω. Three maps of integers, so the order of additions does not ma
 """
 
 import numpy as np
-from numba import njit, prange
 
 
-@njit
-def count_assignments(nnf, counts):
+def count_assignments(nnf, source_size):
     """n: how many target patches are assigned to each source centre.
 
     Parameters
     ----------
     nnf : (H_B, W_B, 2) int32
         Negative where a mask leaves the pixel alone.
-    counts : (H_A, W_A) int32
-        Zeros; receives n.
+    source_size : (int, int)
+        Rows and columns of the source.
+
+    Returns
+    -------
+    (H_A, W_A) int32
     """
-    for y in range(nnf.shape[0]):
-        for x in range(nnf.shape[1]):
-            if nnf[y, x, 0] >= 0:
-                counts[nnf[y, x, 0], nnf[y, x, 1]] += 1
+    height, width = source_size
+    assigned = nnf[:, :, 0] >= 0
+    places = nnf[:, :, 0][assigned].astype(np.int64) * width + nnf[:, :, 1][assigned]
+    counts = np.bincount(places, minlength=height * width)
+    return counts.astype(np.int32).reshape(source_size)
 
 
-@njit(parallel=True)
-def box_sum(values, sums, patch_width):
+def box_sum(values, patch_width):
     """Sum over the patch around each pixel; outside the image counts as zero.
 
     Parameters
     ----------
-    values, sums : (H, W) int32
-        ``sums`` is overwritten.
+    values : (H, W) int32
     patch_width : int
+
+    Returns
+    -------
+    (H, W) int32
     """
-    height, width = values.shape
     radius = patch_width // 2
-    for y in prange(height):
-        columns = np.zeros(width + 2 * radius, np.int32)
-        for near_y in range(max(y - radius, 0), min(y + radius + 1, height)):
-            for x in range(width):
-                columns[radius + x] += values[near_y, x]
-        sums[y, :] = 0
-        for dx in range(patch_width):
-            for x in range(width):
-                sums[y, x] += columns[dx + x]
+    height, width = values.shape
+    padded = np.pad(values, radius)
+    rows = sum(padded[dy : dy + height] for dy in range(patch_width))
+    return sum(rows[:, dx : dx + width] for dx in range(patch_width))
 
 
 def occurrence_map(nnf, omega, omega_sums, patch_width):
@@ -60,7 +59,5 @@ def occurrence_map(nnf, omega, omega_sums, patch_width):
         Overwritten.
     patch_width : int
     """
-    counts = np.zeros_like(omega)
-    count_assignments(nnf, counts)
-    box_sum(counts, omega, patch_width)
-    box_sum(omega, omega_sums, patch_width)
+    omega[:] = box_sum(count_assignments(nnf, omega.shape), patch_width)
+    omega_sums[:] = box_sum(omega, patch_width)

@@ -2,19 +2,22 @@
 
 from functools import lru_cache
 
-from numba import njit, prange
+from numba import prange
 
 from stylit_ref.formulae.bounded_metric import make_bounded_metric
 from stylit_ref.formulae.candidates import propagation_candidate
+from stylit_ref.kernel import kernel
 
 
 @lru_cache
-def _make_kernel(patch_width, channels):
+def _make_kernel(patch_width, channels, lanes):
     radius = patch_width // 2
-    _, improve_proposal = make_bounded_metric(patch_width, channels)
+    _, _, improve_proposal = make_bounded_metric(patch_width, channels, lanes)
 
-    @njit(parallel=True, error_model="numpy")
-    def kernel(textures, omega_sums, occurrence_weight, nnf, delta, new_nnf, new_delta, distance):
+    @kernel(patch_width, channels, lanes)
+    def propagation_kernel(
+        textures, omega_sums, occurrence_weight, nnf, delta, new_nnf, new_delta, distance
+    ):
         height, width = delta.shape
         source_height, source_width = omega_sums.shape
         for y in prange(height):
@@ -38,7 +41,7 @@ def _make_kernel(patch_width, channels):
                         )  # fmt: skip
                 new_nnf[y, x, 0], new_nnf[y, x, 1], new_delta[y, x] = best_y, best_x, best_delta
 
-    return kernel
+    return propagation_kernel
 
 
 def propagation(
@@ -67,5 +70,6 @@ def propagation(
     distance : int
         Offset of the neighbours in pixels (4, 2 and 1 in the thesis' jump flood).
     """
-    kernel = _make_kernel(patch_width, textures.source.shape[2])
-    kernel(textures, omega_sums, occurrence_weight, nnf, delta, new_nnf, new_delta, distance)
+    sizes = textures.source.shape[2], textures.source_moments.shape[2]
+    run = _make_kernel(patch_width, *sizes)
+    run(textures, omega_sums, occurrence_weight, nnf, delta, new_nnf, new_delta, distance)

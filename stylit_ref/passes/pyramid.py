@@ -6,12 +6,26 @@ one above it. A last odd row or column has no 2 x 2 block of its own and is left
 """
 
 import numpy as np
-from numba import njit, prange
+from numba import prange
 
 from stylit_ref.formulae.candidates import clamp
+from stylit_ref.kernel import kernel
 
 
-@njit(parallel=True)
+@kernel()
+def _average_blocks(image, half):
+    for y in prange(half.shape[0]):
+        for x in range(half.shape[1]):
+            for c in range(half.shape[2]):
+                total = (
+                    np.int32(image[2 * y, 2 * x, c])
+                    + np.int32(image[2 * y, 2 * x + 1, c])
+                    + np.int32(image[2 * y + 1, 2 * x, c])
+                    + np.int32(image[2 * y + 1, 2 * x + 1, c])
+                )
+                half[y, x, c] = (total + 2) // 4
+
+
 def downsample(image):
     """Halve an image: means of 2 x 2 pixels, rounded half up.
 
@@ -23,22 +37,12 @@ def downsample(image):
     -------
     (H // 2, W // 2, C) uint8
     """
-    height, width, channels = image.shape[0] // 2, image.shape[1] // 2, image.shape[2]
-    half = np.empty((height, width, channels), np.uint8)
-    for y in prange(height):
-        for x in range(width):
-            for c in range(channels):
-                total = (
-                    np.int32(image[2 * y, 2 * x, c])
-                    + np.int32(image[2 * y, 2 * x + 1, c])
-                    + np.int32(image[2 * y + 1, 2 * x, c])
-                    + np.int32(image[2 * y + 1, 2 * x + 1, c])
-                )
-                half[y, x, c] = (total + 2) // 4
+    height, width, channels = image.shape
+    half = np.empty((height // 2, width // 2, channels), np.uint8)
+    _average_blocks(image, half)
     return half
 
 
-@njit
 def downsample_mask(synthesized):
     """Halve a map of what is synthesized: a pixel is where any that descends from it is.
 
@@ -50,16 +54,13 @@ def downsample_mask(synthesized):
     -------
     (H // 2, W // 2) bool
     """
-    height, width = synthesized.shape
-    half = np.zeros((height // 2, width // 2), np.bool_)
-    for y in range(height):
-        for x in range(width):
-            if synthesized[y, x]:
-                half[min(y // 2, height // 2 - 1), min(x // 2, width // 2 - 1)] = True
-    return half
+    rows, columns = (np.arange(0, size - 1, 2) for size in synthesized.shape)
+    return np.logical_or.reduceat(
+        np.logical_or.reduceat(synthesized, rows, axis=0), columns, axis=1
+    )
 
 
-@njit(parallel=True)
+@kernel()
 def upsample_nnf(coarse_nnf, nnf, patch_width, source_height, source_width):
     """Carry assignments to the next finer level.
 

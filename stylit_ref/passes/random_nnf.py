@@ -1,12 +1,13 @@
 """Random initial assignments (RandomNNF, thesis 2.3; Kernel_RandomNNF, 3.4)."""
 
-from numba import njit, prange
+from numba import prange
 
 from stylit_ref.formulae.philox import uniform_below
 from stylit_ref.formulae.random_stream import random_words
+from stylit_ref.kernel import kernel
 
 
-@njit(parallel=True)
+@kernel()
 def random_nnf(nnf, patch_width, source_height, source_width, stream):
     """Assign a uniformly random source patch to every target patch.
 

@@ -9,63 +9,81 @@ from stylit_ref.formulae.bounded_metric import make_bounded_metric
 from stylit_ref.formulae.candidates import random_candidate
 from stylit_ref.formulae.prefetch import prefetch
 from stylit_ref.formulae.random_stream import random_words
+from stylit_ref.kernel import kernel
 
-# Target pixels whose candidates are drawn, and asked for from memory, ahead of their turn:
-# random candidates miss every cache, and none depends on how another fared.
-AHEAD = 8
+# Random candidates miss every cache, and none depends on how another fared. So a few
+# target pixels take each step together: all candidates are drawn, then asked for from
+# memory, then bounded, and the one in twelve that a bound does not reject is evaluated.
+TOGETHER = 16
 
 
 @lru_cache
-def _make_kernel(patch_width, channels):
+def _make_kernel(patch_width, channels, lanes):
     radius = patch_width // 2
-    _, improve_proposal = make_bounded_metric(patch_width, channels)
+    _, may_improve, improve_proposal = make_bounded_metric(patch_width, channels, lanes)
 
     @njit(forceinline=True)
-    def draw_candidates(candidates, centre_y, centre_x, textures, omega_sums, stream, pixel):
-        source_height, source_width = omega_sums.shape
+    def draw(candidates, centre_y, centre_x, source_height, source_width, stream, pixel):
         words = random_words(stream, pixel, 0)
         for k in range(candidates.shape[0]):
             if k > 0 and k % 2 == 0:
                 words = random_words(stream, pixel, k // 2)
             word_y, word_x = (words[0], words[1]) if k % 2 == 0 else (words[2], words[3])
-            y, x = random_candidate(
+            candidates[k, 0], candidates[k, 1] = random_candidate(
                 word_y, word_x, centre_y, centre_x, 1 << k, radius, source_height, source_width
             )
-            candidates[k, 0], candidates[k, 1] = y, x
-            place = np.int64(y) * source_width + x
-            prefetch(omega_sums, place)
-            prefetch(textures.source_sums, place * channels)
 
-    @njit(parallel=True, error_model="numpy")
-    def kernel(textures, omega_sums, occurrence_weight, nnf, delta, new_nnf, new_delta, stream):
+    @kernel(patch_width, channels, lanes)
+    def random_search_kernel(
+        textures, omega_sums, occurrence_weight, nnf, delta, new_nnf, new_delta, stream,
+        all_candidates, all_promising, all_counts,
+    ):  # fmt: skip
         height, width = delta.shape
-        radii = 0
-        while 1 << radii <= max(height, width) // 2:
-            radii += 1
+        source_height, source_width = omega_sums.shape
+        radii = all_candidates.shape[2]
         for y in prange(height):
-            candidates = np.empty((AHEAD, radii, 2), np.int32)
-            for first_x in range(0, width, AHEAD):
-                block = range(first_x, min(first_x + AHEAD, width))
-                for x in block:
-                    if nnf[y, x, 0] >= 0:
-                        draw_candidates(
-                            candidates[x - first_x], nnf[y, x, 0], nnf[y, x, 1],
-                            textures, omega_sums, stream, y * width + x,
+            candidates, promising, counts = all_candidates[y], all_promising[y], all_counts[y]
+            for first_x in range(0, width, TOGETHER):
+                block = min(TOGETHER, width - first_x)
+                for i in range(block):
+                    x = first_x + i
+                    draw(
+                        candidates[i], nnf[y, x, 0], nnf[y, x, 1],
+                        source_height, source_width, stream, y * width + x,
+                    )  # fmt: skip
+                for i in range(block):
+                    for k in range(radii):
+                        place = np.int64(candidates[i, k, 0]) * source_width + candidates[i, k, 1]
+                        prefetch(omega_sums, place)
+                        prefetch(textures.source_moments, place * lanes)
+                for i in range(block):
+                    x = first_x + i
+                    counts[i] = 0
+                    if nnf[y, x, 0] < 0:
+                        continue
+                    phi = delta[y, x] + occurrence_weight * omega_sums[nnf[y, x, 0], nnf[y, x, 1]]
+                    for k in range(radii):
+                        promising[i, counts[i]] = k
+                        counts[i] += may_improve(
+                            textures, omega_sums, occurrence_weight, y, x,
+                            candidates[i, k, 0], candidates[i, k, 1], phi,
                         )  # fmt: skip
-                for x in block:
+                for i in range(block):
+                    x = first_x + i
                     best_y, best_x, best_delta = nnf[y, x, 0], nnf[y, x, 1], delta[y, x]
-                    if best_y >= 0:
+                    if counts[i]:
                         best_phi = best_delta + occurrence_weight * omega_sums[best_y, best_x]
-                        for k in range(radii):
+                        for n in range(counts[i]):
+                            k = promising[i, n]
                             best_y, best_x, best_delta, best_phi = improve_proposal(
                                 textures, omega_sums, occurrence_weight, y, x,
-                                candidates[x - first_x, k, 0], candidates[x - first_x, k, 1],
+                                candidates[i, k, 0], candidates[i, k, 1],
                                 best_y, best_x, best_delta, best_phi,
                             )  # fmt: skip
                     new_nnf[y, x, 0], new_nnf[y, x, 1] = best_y, best_x
                     new_delta[y, x] = best_delta
 
-    return kernel
+    return random_search_kernel
 
 
 def random_search(
@@ -94,5 +112,14 @@ def random_search(
     stream : tuple of 4 uint32
         From :func:`stylit_ref.formulae.random_stream.random_stream`.
     """
-    kernel = _make_kernel(patch_width, textures.source.shape[2])
-    kernel(textures, omega_sums, occurrence_weight, nnf, delta, new_nnf, new_delta, stream)
+    sizes = textures.source.shape[2], textures.source_moments.shape[2]
+    run = _make_kernel(patch_width, *sizes)
+    height, width = delta.shape
+    radii = (max(height, width) // 2).bit_length()
+    candidates = np.empty((height, TOGETHER, radii, 2), np.int32)
+    promising = np.empty((height, TOGETHER, radii + 1), np.int32)
+    counts = np.empty((height, TOGETHER), np.int32)
+    run(
+        textures, omega_sums, occurrence_weight, nnf, delta, new_nnf, new_delta, stream,
+        candidates, promising, counts,
+    )  # fmt: skip

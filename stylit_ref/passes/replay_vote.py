@@ -1,10 +1,12 @@
 """Voting with another style image, at its own depth and possibly enlarged."""
 
 import numpy as np
-from numba import njit, prange
+from numba import prange
+
+from stylit_ref.kernel import kernel
 
 
-@njit(parallel=True)
+@kernel()
 def replay_vote(style, means, nnf, patch_width, scale):
     """Mean of the votes as in :func:`stylit_ref.passes.vote.vote`, ``scale`` pixels for one.
 

@@ -1,13 +1,12 @@
 """PatchMatch in scan-line order with Ω live: the plainest reference (thesis 2.4)."""
 
-from numba import njit
-
 from stylit_ref.formulae.candidates import propagation_candidate, random_candidate
 from stylit_ref.formulae.improve_assignment import improve_assignment
 from stylit_ref.formulae.random_stream import random_words
+from stylit_ref.kernel import kernel
 
 
-@njit
+@kernel(parallel=False)
 def scanline(
     source, target, weights, omega, occurrence_weight, patch_width, nnf, stream, reverse
 ):  # fmt: skip

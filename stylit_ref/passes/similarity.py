@@ -2,23 +2,24 @@
 
 from functools import lru_cache
 
-from numba import njit, prange
+from numba import prange
 
 from stylit_ref.formulae.bounded_metric import make_bounded_metric
+from stylit_ref.kernel import kernel
 
 
 @lru_cache
-def _make_kernel(patch_width, channels):
-    assignment_delta, _ = make_bounded_metric(patch_width, channels)
+def _make_kernel(patch_width, channels, lanes):
+    assignment_delta, _, _ = make_bounded_metric(patch_width, channels, lanes)
 
-    @njit(parallel=True)
-    def kernel(textures, nnf, delta):
+    @kernel(patch_width, channels, lanes)
+    def similarity_kernel(textures, nnf, delta):
         for y in prange(delta.shape[0]):
             for x in range(delta.shape[1]):
                 if nnf[y, x, 0] >= 0:
                     delta[y, x] = assignment_delta(textures, y, x, nnf[y, x, 0], nnf[y, x, 1])
 
-    return kernel
+    return similarity_kernel
 
 
 def similarity(textures, patch_width, nnf, delta):
@@ -33,4 +34,5 @@ def similarity(textures, patch_width, nnf, delta):
     delta : (H_B, W_B) int64
         Receives δ in fixed point.
     """
-    _make_kernel(patch_width, textures.source.shape[2])(textures, nnf, delta)
+    sizes = textures.source.shape[2], textures.source_moments.shape[2]
+    _make_kernel(patch_width, *sizes)(textures, nnf, delta)

@@ -1,12 +1,50 @@
 """Voting: target pixels from the source patches that cover them (thesis 2.3, Kernel_Vote)."""
 
+from functools import lru_cache
+
 import numpy as np
-from numba import njit, prange
+from numba import prange
 
-from stylit_ref.formulae.candidates import clamp
+from stylit_ref.kernel import kernel
 
 
-@njit(parallel=True)
+@lru_cache
+def _make_kernel(patch_width, style_channels):
+    radius = patch_width // 2
+
+    @kernel(patch_width, style_channels)
+    def vote_kernel(source, target, nnf, style_channel):
+        height, width = nnf.shape[:2]
+        for y in prange(height):
+            for x in range(width):
+                inside = radius <= y < height - radius and radius <= x < width - radius
+                # One scalar a channel: they stay in registers, and those past the
+                # style's channels vanish.
+                total_0 = total_1 = total_2 = total_3 = votes = 0
+                for dy in range(-radius, radius + 1):
+                    for dx in range(-radius, radius + 1):
+                        if not inside and not (0 <= y + dy < height and 0 <= x + dx < width):
+                            continue
+                        if nnf[y + dy, x + dx, 0] < 0:
+                            continue
+                        source_y = np.uint64(nnf[y + dy, x + dx, 0] - dy)
+                        source_x = np.uint64(nnf[y + dy, x + dx, 1] - dx)
+                        total_0 += source[source_y, source_x, style_channel]
+                        if style_channels > 1:
+                            total_1 += source[source_y, source_x, style_channel + 1]
+                        if style_channels > 2:
+                            total_2 += source[source_y, source_x, style_channel + 2]
+                        if style_channels > 3:
+                            total_3 += source[source_y, source_x, style_channel + 3]
+                        votes += 1
+                totals = (total_0, total_1, total_2, total_3)
+                for c in range(style_channels):
+                    mean = (2 * totals[c] + votes) // (2 * votes) if votes else 0
+                    target[radius + y, radius + x, style_channel + c] = mean
+
+    return vote_kernel
+
+
 def vote(source, target, nnf, patch_width, style_channel, style_channels):
     """Average the votes for every pixel of the target's style.
 
@@ -26,23 +64,9 @@ def vote(source, target, nnf, patch_width, style_channel, style_channels):
     style_channel, style_channels : int
         First style channel in a packed pixel and their number.
     """
-    height, width = nnf.shape[:2]
+    _make_kernel(patch_width, style_channels)(source, target, nnf, style_channel)
     radius = patch_width // 2
-    for padded_y in prange(target.shape[0]):
-        totals = np.zeros(style_channels, np.int64)
-        y = clamp(padded_y - radius, 0, height - 1)
-        for padded_x in range(target.shape[1]):
-            x = clamp(padded_x - radius, 0, width - 1)
-            totals[:] = 0
-            votes = 0
-            for near_y in range(max(y - radius, 0), min(y + radius + 1, height)):
-                for near_x in range(max(x - radius, 0), min(x + radius + 1, width)):
-                    if nnf[near_y, near_x, 0] >= 0:
-                        source_y = nnf[near_y, near_x, 0] - (near_y - y)
-                        source_x = nnf[near_y, near_x, 1] - (near_x - x)
-                        for c in range(style_channels):
-                            totals[c] += source[source_y, source_x, style_channel + c]
-                        votes += 1
-            for c in range(style_channels):
-                mean = (2 * totals[c] + votes) // (2 * votes) if votes else 0
-                target[padded_y, padded_x, style_channel + c] = mean
+    style = target[:, :, style_channel : style_channel + style_channels]
+    style[:radius], style[-radius:] = style[radius], style[-radius - 1]
+    style[:, :radius] = style[:, radius, None]
+    style[:, -radius:] = style[:, -radius - 1, None]

@@ -3,6 +3,7 @@
 import brute_force
 import numpy as np
 import pytest
+from numba import njit
 from small_level import make_level
 
 from stylit_ref.formulae.bounded_metric import make_bounded_metric
@@ -22,7 +23,14 @@ CASES = [
 @pytest.mark.parametrize("case", CASES, ids=str)
 def test_delta_and_its_fast_form_are_the_definition(case):
     level = make_level(source_size=(15, 19), target_size=(14, 16), **case)
-    assignment_delta, _ = make_bounded_metric(level.patch_width, level.packing.channels)
+    assignment_delta, _, _ = make_bounded_metric(
+        level.patch_width, level.packing.channels, len(level.packing.moments)
+    )
+
+    @njit
+    def fast_delta(textures, y, x, source_y, source_x):
+        return assignment_delta(textures, y, x, source_y, source_x)
+
     weights = brute_force.weights_of(level.packing)
     for y in range(level.nnf.shape[0]):
         for x in range(level.nnf.shape[1]):
@@ -40,7 +48,7 @@ def test_delta_and_its_fast_form_are_the_definition(case):
                 )
                 == expected
             )
-            assert _call(assignment_delta, level.textures, place) == expected
+            assert fast_delta(level.textures, *map(int, place)) == expected
             assert level.delta[y, x] == expected
 
 
@@ -58,8 +66,3 @@ def test_thesis_weights():
     weights = packing.weights / 65536
     np.testing.assert_allclose(weights[:15], 2 / 15, atol=1e-5)
     np.testing.assert_allclose(packing.style(weights[None, None])[0, 0], 1 / 3, atol=1e-5)
-
-
-def _call(function, textures, place):
-    """Formulae for the inside of kernels take plain integers."""
-    return function(textures, *(int(value) for value in place))

@@ -15,10 +15,13 @@ def propose(level):
     )  # fmt: skip
 
 
-def commit(level, classes):
+STREAM = random_stream(3, COMMIT_ORDER)
+
+
+def commit(level):
     return passes.commit(
         level.nnf, level.delta, level.proposed_nnf, level.proposed_delta,
-        level.omega_sums, level.occurrence_weight, level.patch_width, classes, CLASS_STRIDE,
+        level.omega_sums, level.occurrence_weight, level.patch_width, STREAM,
     )  # fmt: skip
 
 
@@ -28,7 +31,8 @@ def test_commit_takes_what_lowers_phi_class_by_class(case):
     level = make_level(target_size=(15, 18), **case)
     propose(level)
     proposed = level.proposed_nnf.copy()
-    classes = commit_order(random_stream(3, COMMIT_ORDER))
+    classes = np.zeros((CLASS_STRIDE**2, 2), np.int32)
+    commit_order(STREAM, classes)
     expected = level.nnf.copy()
     moved = 0
     for first_y, first_x in classes:
@@ -44,14 +48,14 @@ def test_commit_takes_what_lowers_phi_class_by_class(case):
             if phis[1] < phis[0]:
                 expected[y, x] = proposed[y, x]
                 moved += 1
-    assert commit(level, classes) == moved > 0
+    assert commit(level) == moved > 0
     np.testing.assert_array_equal(level.nnf, expected)
 
 
 def test_w_and_delta_follow_the_moves():
     level = make_level(target_size=(15, 18))
     propose(level)
-    commit(level, commit_order(random_stream(3, COMMIT_ORDER)))
+    commit(level)
     omega_sums, delta = level.omega_sums.copy(), level.delta.copy()
     level.init_occurrence_map()
     level.update_similarity()
@@ -64,5 +68,5 @@ def test_masked_pixels_stay_unassigned():
     masked[4:9, 3:8] = True
     level = make_level(masked=masked)
     propose(level)
-    commit(level, commit_order(random_stream(3, COMMIT_ORDER)))
+    commit(level)
     np.testing.assert_array_equal(level.nnf[:, :, 0] < 0, masked)

@@ -1,0 +1,66 @@
+r"""Moments of a patch: few numbers that bound δ from below.
+
+Let :math:`b_k` be orthogonal functions on the pixels of a patch. By Bessel's
+inequality, per channel,
+
+.. math:: \sum (f - g)^2 \ge \sum_k \frac{(\langle b_k, f\rangle - \langle b_k, g\rangle)^2}
+                                         {\langle b_k, b_k \rangle}
+
+With the constant function alone this is successive elimination by patch sums (Li and
+Salari 1995). Products of the orthogonal polynomials below, up to degree two, add
+slope and curvature. Guides are smooth, so their sum is enough; the style's grain takes
+all six.
+"""
+
+from numba import njit
+
+POLYNOMIALS = {
+    3: ((1, 1, 1), (-1, 0, 1), (1, -2, 1)),
+    5: ((1, 1, 1, 1, 1), (-2, -1, 0, 1, 2), (2, -1, -2, -1, 2)),
+}
+"""Discrete orthogonal polynomials of degree 0, 1, 2 on the pixels of a row."""
+
+BOUND_SCALE = 8
+"""Fixed-point factor of the bound over δ; any divisor of 8 of the smallest norm, 9, fits
+32 bits beside weights of 32 bits."""
+
+CONSTANT = (0, 0)
+STYLE_DEGREES = (((0, 1), (1, 0)), ((0, 2), (2, 0)), ((1, 1),))
+"""Vertical and horizontal degree of a style channel's moments after the constant;
+neighbours have equal norms, so that their lanes can share a weight."""
+
+
+def moment_width(patch_width):
+    """Width of the central block whose moments are taken.
+
+    Differences of its moments must fit 16 bits: those of 5 x 5 pixels do.
+    """
+    return min(patch_width, 5)
+
+
+def squared_norm(width, degrees):
+    """⟨b, b⟩ of the product of two polynomials."""
+    vertical, horizontal = (POLYNOMIALS[width][degree] for degree in degrees)
+    return sum(v * v for v in vertical) * sum(h * h for h in horizontal)
+
+
+@njit
+def patch_moment(texture, first_y, first_x, channel, vertical, horizontal):
+    """⟨b, f⟩ on the block whose first pixel is ``(first_y, first_x)``.
+
+    Parameters
+    ----------
+    texture : (H, W, C) uint8
+    first_y, first_x, channel : int
+    vertical, horizontal : tuple of int
+        Two of :data:`POLYNOMIALS`; b is their product.
+
+    Returns
+    -------
+    int
+    """
+    total = 0
+    for dy in range(len(vertical)):
+        for dx in range(len(horizontal)):
+            total += vertical[dy] * horizontal[dx] * texture[first_y + dy, first_x + dx, channel]
+    return total

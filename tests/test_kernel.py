@@ -1,0 +1,58 @@
+"""Kernels on disk: found again, told apart, and never stale."""
+
+import numba
+import numpy as np
+import pytest
+
+import stylit_ref.kernel
+from stylit_ref.kernel import kernel
+
+
+@pytest.fixture(autouse=True)
+def cache_folder(tmp_path, monkeypatch):
+    monkeypatch.setattr(numba.config, "CACHE_DIR", str(tmp_path))
+    return tmp_path
+
+
+def make_kernel(constant):
+    @kernel(constant, parallel=False)
+    def store(array):
+        array[0] = constant
+
+    return store
+
+
+def run(store):
+    """What the kernel stored, and whether it came from disk."""
+    array = np.zeros(1, np.int64)
+    store(array)
+    hits = sum(store.stats.cache_hits.values())
+    assert hits + sum(store.stats.cache_misses.values()) == 1
+    return array[0], hits == 1
+
+
+def test_a_kernel_is_compiled_once():
+    assert run(make_kernel(1)) == (1, False)
+    assert run(make_kernel(1)) == (1, True)
+
+
+def test_constants_tell_kernels_apart():
+    run(make_kernel(1))
+    assert run(make_kernel(2)) == (2, False)
+
+
+def test_another_source_makes_a_kernel_stale(monkeypatch):
+    run(make_kernel(1))
+    monkeypatch.setattr(stylit_ref.kernel, "LIBRARY_DIGEST", "of a library with one edit")
+    assert run(make_kernel(1)) == (1, False)
+
+
+def test_every_file_of_the_library_counts(tmp_path, monkeypatch):
+    package = tmp_path / "package"
+    (package / "formulae").mkdir(parents=True)
+    formula = package / "formulae" / "sum.py"
+    formula.write_text("a + b")
+    monkeypatch.setattr(stylit_ref.kernel, "__file__", str(package / "kernel.py"))
+    before = stylit_ref.kernel._library_digest()
+    formula.write_text("a - b")
+    assert stylit_ref.kernel._library_digest() != before
