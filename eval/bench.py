@@ -10,20 +10,25 @@ import subprocess
 import sys
 import tempfile
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numba
+import numpy as np
 import pandas as pd
+import skimage.transform
 from tqdm import tqdm
 
 from eval.image_energy import image_energy
 from eval.report import table, write_report
 from eval.runs import compile_kernels
-from stylit_ref import InputError, Params, read_image, read_uint8, stylize, write_image
+from eval.sharpness import richness
+from stylit_ref import PRESETS, InputError, Params, read_image, read_uint8, stylize, write_image
 
 THESIS = {"uniformity": 10000, "levels": 6, "votes": 6, "patchmatch_iterations": 6}
 EBSYNTH_DEFAULTS = {"uniformity": 3500, "levels": 7, "votes": 6, "patchmatch_iterations": 4}
+FAST = PRESETS["fast"] | {"uniformity": EBSYNTH_DEFAULTS["uniformity"]}
+SCALES = (0.5, 1, 2, 4)
 _FLAGS = {
     "uniformity": "--uniformity",
     "levels": "--pyramid-levels",
@@ -41,12 +46,13 @@ class Cost:
     mebibytes: float
 
 
-def timed(command):
+def timed(command, environment=None):
     """Run a command to its end and account for it.
 
     Parameters
     ----------
     command : list of str
+    environment : dict of str to str, optional
 
     Returns
     -------
@@ -59,7 +65,9 @@ def timed(command):
     """
     with tempfile.TemporaryFile() as output:
         start = time.perf_counter()
-        process = subprocess.Popen(command, stdout=output, stderr=subprocess.STDOUT)
+        process = subprocess.Popen(
+            command, stdout=output, stderr=subprocess.STDOUT, env=environment
+        )
         _, status, used = os.wait4(process.pid, 0)
         seconds = time.perf_counter() - start
         process.returncode = os.waitstatus_to_exitcode(status)
@@ -71,7 +79,7 @@ def timed(command):
 
 
 def bench(scene, folder, ebsynth=None):
-    """Measure both configurations and write a page.
+    """Measure every configuration, sizes and compilation, and write a page.
 
     Parameters
     ----------
@@ -87,19 +95,26 @@ def bench(scene, folder, ebsynth=None):
     if ebsynth and not shutil.which(ebsynth):
         raise InputError(f"{ebsynth}: is no program that can be started")
     folder.mkdir(parents=True, exist_ok=True)
-    configurations = {"thesis configuration": THESIS, "ebsynth's defaults": EBSYNTH_DEFAULTS}
+    ours = {"stylit-ref": _stylit_ref_command}
+    both = dict(ours)
+    if ebsynth:
+        both["ebsynth"] = lambda *arguments: [ebsynth, *_ebsynth_arguments(*arguments)]
+    configurations = {
+        "preset fast": (FAST, ours),
+        "ebsynth's defaults": (EBSYNTH_DEFAULTS, both),
+        "thesis configuration": (THESIS, both),
+    }
     rows = []
     with tempfile.TemporaryDirectory() as workplace, tqdm(unit="program", disable=None) as bar:
         images = _write_scene(scene, Path(workplace))
-        for name, configuration in configurations.items():
-            programs = {"stylit-ref": _stylit_ref_command}
-            if ebsynth:
-                programs["ebsynth"] = lambda *arguments: [ebsynth, *_ebsynth_arguments(*arguments)]
+        for name, (configuration, programs) in configurations.items():
             for program, command in programs.items():
                 bar.set_description(f"{program}, {name}")
                 output = Path(workplace) / f"{program}.png"
+                compile_kernels(scene, Params(**configuration))
                 cost = timed(command(images, configuration, output))
-                energy = image_energy(scene, read_uint8(output))
+                image = read_uint8(output)
+                energy = image_energy(scene, image)
                 rows.append(
                     {
                         "configuration": name,
@@ -112,23 +127,28 @@ def bench(scene, folder, ebsynth=None):
                         "peak [MiB]": cost.mebibytes,
                         "image energy": energy.mean,
                         "distinct in image": energy.distinct,
+                        "richness": richness(image, scene.style),
                     }
                 )
                 bar.update()
+        compilation = _compilation(images, Path(workplace))
+        sizes = _sizes(scene, Path(workplace), bar)
     frame = pd.DataFrame(rows)
     frame.to_csv(folder / "bench.csv", index=False)
     shown = frame.copy()
     for column in shown.columns[2:]:
-        shown[column] = shown[column].map(("{:.3f}" if "distinct" in column else "{:.1f}").format)
+        precise = column in ("distinct in image", "richness")
+        shown[column] = shown[column].map(("{:.3f}" if precise else "{:.1f}").format)
     sections = [
         table(shown),
-        "Process: the whole program, start to end, compilation of the kernels included. "
-        "Synthesis: without compilation and files (for ebsynth the whole process). "
-        "Image energy: mean δ of a converged λ = 0 search on the finished image.",
+        "Process: the whole program, start to end, with kernels that an earlier process has "
+        "compiled. Synthesis: without start and files (for ebsynth the whole process). "
+        "Image energy: mean δ of the best matches that 30 PatchMatch iterations at λ = 0 find on "
+        "the finished image. Richness: high-frequency energy of the image over that of the style.",
+        "\n".join([*(_ratios(frame) if ebsynth else []), compilation, _thread_ratio(scene)]),
+        "Sizes: the thesis configuration on the scene enlarged or reduced.",
+        table(sizes),
     ]
-    sections.insert(1, _thread_ratio(scene))
-    if ebsynth:
-        sections.insert(1, _ratios(frame))
     write_report(folder, f"Bench on {scene.name}, {scene.size}", sections)
     return frame
 
@@ -147,19 +167,70 @@ def _thread_ratio(scene):
 
 
 def _ratios(frame):
-    """Ebsynth over stylit-ref, a line for each configuration."""
+    """Ebsynth over stylit-ref, a line for each configuration; ``fast`` against its defaults."""
     lines = []
-    for name, part in frame.groupby("configuration", sort=False):
-        ours, theirs = (
-            part[part["program"] == program].iloc[0] for program in ("stylit-ref", "ebsynth")
-        )
+    for ours in frame[frame["program"] == "stylit-ref"].to_dict("records"):
+        name = ours["configuration"]
+        against = "ebsynth's defaults" if name == "preset fast" else name
+        theirs = frame[(frame["program"] == "ebsynth") & (frame["configuration"] == against)]
+        theirs = theirs.iloc[0]
         lines.append(
-            f"- {name}: ebsynth takes {theirs['synthesis [s]'] / ours['synthesis [s]']:.1f} times "
-            f"the synthesis and {theirs['process [s]'] / ours['process [s]']:.1f} times the "
-            f"process; its image energy is {theirs['image energy'] / ours['image energy']:.3f} "
-            "times ours."
+            f"- {name}: ebsynth ({against}) takes "
+            f"{theirs['synthesis [s]'] / ours['synthesis [s]']:.1f} times the synthesis and "
+            f"{theirs['process [s]'] / ours['process [s]']:.1f} times the process; its image "
+            f"energy is {theirs['image energy'] / ours['image energy']:.3f} times ours."
         )
-    return "\n".join(lines)
+    return lines
+
+
+def _compilation(images, workplace):
+    """What a first process takes over later ones: two runs of a preview with an empty cache."""
+    command = _stylit_ref_command(images, FAST, workplace / "first.png")
+    environment = os.environ | {"NUMBA_CACHE_DIR": str(workplace / "kernels")}
+    first, later = (timed(command, environment).seconds for _ in range(2))
+    return (
+        f"- compilation: the first process on a machine takes {first - later:.1f} s longer than "
+        f"later ones (preset fast: {first:.1f} s, then {later:.1f} s)."
+    )
+
+
+def _sizes(scene, workplace, bar):
+    """Time and memory of the thesis configuration by the number of pixels."""
+    rows = []
+    for scale in SCALES:
+        scaled = _rescaled(scene, scale)
+        bar.set_description(f"stylit-ref, {scaled.size}")
+        folder = workplace / scaled.size
+        folder.mkdir()
+        cost = timed(_stylit_ref_command(_write_scene(scaled, folder), THESIS, folder / "out.png"))
+        pixels = scaled.target_guides[0].shape[0] * scaled.target_guides[0].shape[1]
+        rows.append(
+            {
+                "size": scaled.size,
+                "process [s]": f"{cost.seconds:.1f}",
+                "µs a pixel": f"{1e6 * cost.seconds / pixels:.1f}",
+                "peak [MiB]": f"{cost.mebibytes:.0f}",
+                "bytes a pixel": f"{cost.mebibytes * 2**20 / pixels:.0f}",
+            }
+        )
+        bar.update()
+    return pd.DataFrame(rows)
+
+
+def _rescaled(scene, scale):
+    def resize(image):
+        size = [round(scale * length) for length in image.shape[:2]]
+        resized = skimage.transform.resize(
+            image, size, anti_aliasing=scale < 1, preserve_range=True
+        )
+        return np.round(resized).astype(np.uint8)
+
+    return replace(
+        scene,
+        style=resize(scene.style),
+        source_guides=tuple(map(resize, scene.source_guides)),
+        target_guides=tuple(map(resize, scene.target_guides)),
+    )
 
 
 def _synthesis_seconds(scene, configuration):
@@ -190,7 +261,8 @@ def _stylit_ref_command(images, configuration, output):
     for source, target in pairs:
         command += ["--guide", str(source), str(target)]
     for name, flag in _FLAGS.items():
-        command += [flag, str(configuration[name])]
+        value = configuration[name]
+        command += [flag, ",".join(map(str, value)) if isinstance(value, tuple) else str(value)]
     return [*command, "--output", str(output)]
 
 

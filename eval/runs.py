@@ -8,9 +8,9 @@ from pathlib import Path
 
 import numpy as np
 
-import stylit_ref
 from eval.scenes import Scene
 from stylit_ref import Params, stylize
+from stylit_ref.kernel import LIBRARY_DIGEST
 
 STORE = Path("build/runs")
 
@@ -36,18 +36,6 @@ class Run:
     penalization: float
 
 
-def _library_digest():
-    """Identifies the library's source, on which every result depends."""
-    digest = hashlib.sha256()
-    for file in sorted(Path(stylit_ref.__file__).parent.rglob("*.py")):
-        digest.update(file.read_bytes())
-    return digest.hexdigest()
-
-
-# Taken as the library is imported: an edit during a long report does not change what runs.
-_LIBRARY = _library_digest()
-
-
 def run(scene: Scene, params: Params, seed: int, progress=None) -> Run:
     """Stylize a scene, or read the result of having done so.
 
@@ -63,7 +51,7 @@ def run(scene: Scene, params: Params, seed: int, progress=None) -> Run:
     -------
     Run
     """
-    key = json.dumps([scene.digest, asdict(params), seed, _LIBRARY])
+    key = json.dumps([scene.digest, asdict(params), seed, LIBRARY_DIGEST])
     file = STORE / f"{hashlib.sha256(key.encode()).hexdigest()[:24]}.npz"
     if not file.exists():
         compile_kernels(scene, params)

@@ -19,7 +19,8 @@ from stylit_ref.image_io import (
     write_image,
 )
 from stylit_ref.output_file import check_folder, check_writable, whole_file
-from stylit_ref.params import Params
+from stylit_ref.params import PRESETS, Params
+from stylit_ref.profiling import Profile
 from stylit_ref.replaying import replay
 from stylit_ref.stylization import stylize
 
@@ -56,6 +57,29 @@ class _Parser(argparse.ArgumentParser):
 
     def error(self, message):
         self.exit(2, f"{self.prog}: {message} (--help shows the options)\n")
+
+
+def _votes(text):
+    votes = tuple(int(number) for number in text.split(","))
+    return votes if len(votes) > 1 else votes[0]
+
+
+_votes.__name__ = "integer, or integers separated by commas,"  # argparse puts it into its refusal
+
+
+_METHOD = {
+    "uniformity": ("--uniformity", float, "λ, how evenly the style is used"),
+    "guide_influence": ("--guide-influence", float, "μ, weight of the guides"),
+    "patch_width": ("--patch-size", int, "patch width in pixels, odd"),
+    "levels": ("--pyramid-levels", int, "levels of the pyramid"),
+    "votes": (
+        "--search-vote-iters",
+        _votes,
+        "search-vote iterations a level; 1,2,4 gives them from the finest level on",
+    ),
+    "patchmatch_iterations": ("--patchmatch-iters", int, "PatchMatch iterations a vote"),
+    "schedule": ("--schedule", str, "propose_commit (parallel) or scanline (sequential)"),
+}
 
 
 class _Weigh(argparse.Action):
@@ -103,24 +127,20 @@ def _parser():
     files.add_argument("--save-levels", metavar="DIR", help="write the image of every level")
 
     method = run.add_argument_group("method (defaults of the thesis)")
-    for flag, name, kind, text in (
-        ("--uniformity", "uniformity", float, "λ, how evenly the style is used"),
-        ("--guide-influence", "guide_influence", float, "μ, weight of the guides"),
-        ("--patch-size", "patch_width", int, "patch width in pixels, odd"),
-        ("--pyramid-levels", "levels", int, "levels of the pyramid"),
-        ("--search-vote-iters", "votes", int, "search-vote iterations a level"),
-        ("--patchmatch-iters", "patchmatch_iterations", int, "PatchMatch iterations a vote"),
-        ("--schedule", "schedule", str, "propose_commit (parallel) or scanline (sequential)"),
-    ):
+    for name, (flag, kind, text) in _METHOD.items():
         default = getattr(DEFAULTS, name)
-        method.add_argument(
-            flag, dest=name, type=kind, default=default, help=f"{text} (default {default})"
-        )
+        method.add_argument(flag, dest=name, type=kind, help=f"{text} (default {default})")
+    method.add_argument(
+        "--preset", choices=PRESETS, default="thesis",
+        help="effort where the options above do not say: thesis, or fast, as for a preview "
+        "(default %(default)s)",
+    )  # fmt: skip
     method.add_argument(
         "--seed", type=int, default=0, help="same seed, same result (default %(default)s)"
     )
     run.add_argument("--threads", type=int, help="threads to use (default: all)")
     run.add_argument("--quiet", action="store_true", help="no progress bar")
+    run.add_argument("--profile", action="store_true", help="print where the time went")
 
     again = commands.add_parser(
         "replay",
@@ -145,20 +165,16 @@ def _parser():
 
 def _run(options):
     weights = tuple(options.weights.get(k, 1.0) for k in range(len(options.guide)))
-    params = Params(
-        patch_width=options.patch_width,
-        levels=options.levels,
-        votes=options.votes,
-        patchmatch_iterations=options.patchmatch_iterations,
-        uniformity=options.uniformity,
-        guide_influence=options.guide_influence,
-        guide_weights=weights,
-        schedule=options.schedule,
-    )
-    style = read_uint8(options.style)
-    source_guides, target_guides = zip(
-        *(read_guides(source, target) for source, target in options.guide), strict=True
-    )
+    chosen = {
+        name: getattr(options, name) for name in _METHOD if getattr(options, name) is not None
+    }
+    params = Params(**(PRESETS[options.preset] | chosen), guide_weights=weights)
+    profile = Profile()
+    with profile.stage("reading images"):
+        style = read_uint8(options.style)
+        source_guides, target_guides = zip(
+            *(read_guides(source, target) for source, target in options.guide), strict=True
+        )
     check_guides(style, source_guides, target_guides, *zip(*options.guide, strict=True))
     mask = fill = None
     if options.mask:
@@ -206,10 +222,14 @@ def _run(options):
             threads=options.threads,
             progress=show,
             on_level=save_level,
+            profile=profile,
         )
-    write_image(options.output, result.image)
-    if options.nnf:
-        _save_npy(options.nnf, result.nnf)
+    with profile.stage("writing images"):
+        write_image(options.output, result.image)
+        if options.nnf:
+            _save_npy(options.nnf, result.nnf)
+    if options.profile:
+        print(*profile.table(), sep="\n", file=sys.stderr)
 
 
 def _replay(options):

@@ -22,8 +22,9 @@ class Params:
     levels : int
         Levels of the pyramid (4.1: 6); fewer are used where the coarsest would be
         smaller than a patch.
-    votes : int
-        EM iterations a level: a vote, then PatchMatch (4.1: 6).
+    votes : int or tuple of int
+        EM iterations a level: a vote, then PatchMatch (4.1: 6). A tuple names them from
+        the finest level on; its last holds for all coarser ones.
     patchmatch_iterations : int
         PatchMatch iterations after each vote (4.1: 6).
     uniformity : float
@@ -44,7 +45,7 @@ class Params:
 
     patch_width: int = 5
     levels: int = 6
-    votes: int = 6
+    votes: int | tuple[int, ...] = 6
     patchmatch_iterations: int = 6
     uniformity: float = 10000.0
     guide_influence: float = 2.0
@@ -55,10 +56,14 @@ class Params:
         width = self.patch_width
         if not isinstance(width, Integral) or width % 2 == 0 or not 3 <= width <= 63:
             raise InputError(f"patch_width is {width}; it must be an odd integer from 3 to 63")
-        for name, most in (("levels", 16), ("votes", 65535), ("patchmatch_iterations", 65535)):
-            value = getattr(self, name)
-            if not isinstance(value, Integral) or not 1 <= value <= most:
-                raise InputError(f"{name} is {value}; it must be an integer from 1 to {most}")
+        _check_count("levels", self.levels, 16)
+        _check_count("patchmatch_iterations", self.patchmatch_iterations, 65535)
+        if np.ndim(self.votes) == 1 and len(self.votes):
+            object.__setattr__(self, "votes", tuple(self.votes))
+            for votes in self.votes:
+                _check_count("votes", votes, 65535)
+        else:
+            _check_count("votes", self.votes, 65535)
         for name in ("uniformity", "guide_influence"):
             _check_weight(name, getattr(self, name))
         if self.guide_weights is not None:
@@ -72,8 +77,29 @@ class Params:
                 f"schedule is {self.schedule!r}; it must be 'propose_commit' or 'scanline'"
             )
 
+    def votes_above(self, depth):
+        """Votes of the level ``depth`` levels above the finest, coarser ones lying above."""
+        if isinstance(self.votes, tuple):
+            return self.votes[min(depth, len(self.votes) - 1)]
+        return self.votes
+
+
+PRESETS = {
+    "thesis": {},
+    "fast": {"levels": 7, "votes": (1, 4, 6), "patchmatch_iterations": 1},
+}
+"""Named effort: values of :class:`Params` for the work spent, from the thesis' to a preview's.
+
+Votes at coarse levels cost little and settle most of what the finest shows, so ``fast`` spends
+them there.
+"""
 
 LARGEST_WEIGHT = 1e12
+
+
+def _check_count(name, value, most):
+    if not isinstance(value, Integral) or not 1 <= value <= most:
+        raise InputError(f"{name} is {value}; it must be an integer from 1 to {most}")
 
 
 def _check_weight(name, value):

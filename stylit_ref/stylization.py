@@ -14,6 +14,7 @@ from stylit_ref.errors import InputError
 from stylit_ref.mask import active_patches, fill_masked
 from stylit_ref.packing import ONE, make_packing
 from stylit_ref.params import Params
+from stylit_ref.profiling import Profile
 from stylit_ref.texture_optimization import Step, texture_optimization
 
 
@@ -57,6 +58,7 @@ def stylize(
     threads: int | None = None,
     progress: Callable[[Step], None] | None = None,
     on_level: Callable[[int, np.ndarray], None] | None = None,
+    profile: Profile | None = None,
 ) -> Result:
     """Stylize a target as a style exemplar shows (thesis 2.2).
 
@@ -86,6 +88,8 @@ def stylize(
         Called with a :class:`Step` after every PatchMatch iteration.
     on_level : callable, optional
         Called with the level's number and its image when a pyramid level is done.
+    profile : Profile, optional
+        Accounts for the time by stage.
 
     Returns
     -------
@@ -141,7 +145,7 @@ def stylize(
 
     with _threads(threads):
         finest = texture_optimization(
-            passes,
+            profile.passes(passes) if profile else passes,
             packing.pack(sources, style_image),
             packing.pack(targets),
             synthesized,

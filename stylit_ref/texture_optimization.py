@@ -91,6 +91,9 @@ def texture_optimization(
         targets.append(passes.downsample(targets[-1]))
         where.append(passes.downsample_mask(where[-1]))
     work = [np.count_nonzero(level_where) for level_where in where]
+    all_work = params.patchmatch_iterations * sum(
+        pixels * params.votes_above(depth) for depth, pixels in enumerate(work)
+    )
 
     done = 0
     level = None
@@ -105,7 +108,7 @@ def texture_optimization(
         else:
             passes.upsample_nnf(coarse.nnf, level.nnf, params.patch_width, *source_size)
         level.init_occurrence_map()
-        for vote in range(1, params.votes + 1):
+        for vote in range(1, params.votes_above(depth) + 1):
             level.vote()
             level.update_moments()
             for iteration in range(1, params.patchmatch_iterations + 1):
@@ -123,7 +126,7 @@ def texture_optimization(
                         delta=delta,
                         penalization=penalization,
                         moves=moves,
-                        done=done / (sum(work) * params.votes * params.patchmatch_iterations),
+                        done=done / all_work,
                     )
                 )
         level.vote()

@@ -12,7 +12,7 @@ import pytest
 from exr_files import write_exr
 from small_scene import small_scene
 
-from stylit_ref import Params, read_image, stylize, write_image
+from stylit_ref import PRESETS, InputError, Params, read_image, stylize, write_image
 from stylit_ref.bit_depth import to_linear
 from stylit_ref.cli import main
 
@@ -87,6 +87,47 @@ def test_every_method_flag_reaches_the_parameters(scene, monkeypatch):
         guide_weights=(1.0, 0.5),
         schedule="scanline",
     )
+
+
+def test_presets_fill_in_what_is_not_said(scene, monkeypatch):
+    folder = scene[0]
+    seen = []
+
+    def spy(*arguments, **options):
+        seen.append(arguments[3])
+        raise InputError("enough")
+
+    monkeypatch.setattr("stylit_ref.cli.stylize", spy)
+    command = ["run", "--style", f"{folder / 'style.png'}", "--output", f"{folder / 'out.png'}"]
+    command += ["--guide", f"{folder / 'source_0.png'}", f"{folder / 'target_0.png'}"]
+    for more in ([], ["--preset", "fast"], ["--preset", "fast", "--search-vote-iters", "3,9"]):
+        assert main([*command, *more]) == 2
+    assert seen == [
+        Params(guide_weights=(1.0,)),
+        Params(**PRESETS["fast"], guide_weights=(1.0,)),
+        Params(**(PRESETS["fast"] | {"votes": (3, 9)}), guide_weights=(1.0,)),
+    ]
+
+
+@pytest.mark.parametrize("votes", ["a", "1,", "1,0"])
+def test_votes_that_are_no_counts(scene, capsys, votes):
+    command = ["run", "--style", "s", "--guide", "a", "b", "--output", "o"]
+    try:
+        code = main([*command, "--search-vote-iters", votes])
+    except SystemExit as stop:
+        code = stop.code
+    assert code == 2
+    assert len(capsys.readouterr().err.strip().split("\n")) == 1
+
+
+def test_profile_names_the_stages(scene, capsys):
+    assert run(scene[0], "--profile", "--quiet") == 0
+    lines = capsys.readouterr().err.strip().split("\n")
+    assert re.match(r"stage +seconds +share +calls", lines[0])
+    stages = {re.match(r"(.+?) {2,}\d", line).group(1): line.split()[-1] for line in lines[1:]}
+    assert stages["propagation"] == str(2 * 3)  # levels by distances
+    assert stages["commit"] == str(2 * 4)
+    assert {"reading images", "writing images", "vote", "random_search"} <= stages.keys()
 
 
 def test_weight_without_guide(scene, capsys):

@@ -308,6 +308,8 @@ def test_guides_of_different_sizes_or_channels():
         ({"patch_width": 5.0}, "odd integer"),
         ({"levels": 0}, "levels is 0"),
         ({"votes": -1}, "votes is -1"),
+        ({"votes": (1, 0)}, "votes is 0"),
+        ({"votes": ()}, r"votes is \(\)"),
         ({"patchmatch_iterations": 1.5}, "patchmatch_iterations is 1.5"),
         ({"uniformity": -1}, "uniformity is -1"),
         ({"uniformity": float("nan")}, "uniformity is nan"),
@@ -322,3 +324,15 @@ def test_guides_of_different_sizes_or_channels():
 def test_bad_parameters(change, message):
     with pytest.raises(InputError, match=message):
         Params(**change)
+
+
+def test_votes_by_level_count_from_the_finest():
+    style, sources, targets = small_scene()
+    steps = stylize(
+        style, sources, targets, Params(levels=3, votes=(1, 3), patchmatch_iterations=2)
+    ).history
+    assert [(step.level, step.vote) for step in steps[::2]] == [
+        (1, 1), (1, 2), (1, 3), (2, 1), (2, 2), (2, 3), (3, 1),
+    ]  # fmt: skip
+    assert [step.done for step in steps] == sorted(step.done for step in steps)
+    assert steps[-1].done == 1

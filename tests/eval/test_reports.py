@@ -105,6 +105,7 @@ def test_bench_measures_both_programs_alike(folder, capsys, monkeypatch):
     """With a program that copies the style in place of ebsynth."""
     monkeypatch.setattr("eval.bench.THESIS", {**THESIS, "levels": 1, "votes": 1})
     monkeypatch.setattr("eval.bench.EBSYNTH_DEFAULTS", {**THESIS, "levels": 1, "votes": 1})
+    monkeypatch.setattr("eval.bench.SCALES", (1, 2))
     program = folder.parent / "program"
     program.write_text(
         f"#!{sys.executable}\n"
@@ -123,8 +124,13 @@ def test_bench_measures_both_programs_alike(folder, capsys, monkeypatch):
     assert re.search(r"source_id.png \S+target_id.png -weight 0.5 -uniformity 10000", arguments)
     assert "-pyramidlevels 1 -searchvoteiters 1 -patchmatchiters 6" in arguments
     numbers = pd.read_csv(folder.parent / "reports" / "bench_small_44x38" / "bench.csv")
-    assert list(numbers["program"]) == ["stylit-ref", "ebsynth"] * 2
-    assert "one thread takes" in capsys.readouterr().out
+    assert list(numbers["program"]) == ["stylit-ref"] + ["stylit-ref", "ebsynth"] * 2
+    printed = capsys.readouterr().out
+    assert "one thread takes" in printed
+    assert "preset fast: ebsynth (ebsynth's defaults) takes" in printed
+    assert re.search(r"compilation: the first process on a machine takes \d", printed)
+    assert "44x38" in printed
+    assert "88x76" in printed
 
 
 @pytest.mark.parametrize(

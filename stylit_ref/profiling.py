@@ -1,0 +1,68 @@
+"""Where the time of a run goes."""
+
+from contextlib import contextmanager
+from time import perf_counter
+from types import SimpleNamespace
+
+from numba.core import event
+
+COMPILATION = "compilation"
+
+
+class Profile:
+    """Wall time by stage.
+
+    Attributes
+    ----------
+    seconds : dict of str to float
+        By stage; the compilation of kernels is a stage of its own.
+    calls : dict of str to int
+    """
+
+    def __init__(self):
+        self.seconds, self.calls = {COMPILATION: 0.0}, {COMPILATION: 0}
+
+    @contextmanager
+    def stage(self, name):
+        """Account for what happens inside as stage ``name``."""
+        compiled = 0.0
+
+        def on_compiled(seconds):
+            nonlocal compiled
+            compiled += seconds
+
+        start = perf_counter()
+        with event.install_timer("numba:compile", on_compiled):
+            yield
+        elapsed = perf_counter() - start
+        self._add(name, elapsed - compiled)
+        if compiled:
+            self._add(COMPILATION, compiled)
+
+    def passes(self, passes):
+        """The functions of a module of passes, each a stage of its own."""
+
+        def timed(name):
+            def call(*arguments, **options):
+                with self.stage(name):
+                    return getattr(passes, name)(*arguments, **options)
+
+            return call
+
+        return SimpleNamespace(**{name: timed(name) for name in passes.__all__})
+
+    def table(self):
+        """Lines of text: seconds, share of their sum and calls of each stage, largest first."""
+        total = sum(self.seconds.values()) or 1.0
+        stages = sorted(self.seconds, key=self.seconds.get, reverse=True)
+        width = max(map(len, stages))
+        return [f"{'stage':{width}}  seconds  share  calls"] + [
+            f"{name:{width}}  {self.seconds[name]:7.2f}  {self.seconds[name] / total:5.1%}  "
+            f"{self.calls[name]:5}"
+            for name in stages
+            if self.calls[name]
+        ]
+
+    def _add(self, name, seconds):
+        self.seconds[name] = self.seconds.get(name, 0.0) + seconds
+        self.calls[name] = self.calls.get(name, 0) + 1
