@@ -99,14 +99,15 @@ def texture_optimization(
     level = None
     for level_number in range(1, params.levels + 1):
         depth = params.levels - level_number
-        coarse = level
+        coarse_nnf = level.nnf if level else None
+        level = None  # makes room for the next
         level = Level(passes, packing, params, sources[depth], targets[depth], where[depth])
         source_size = sources[depth].shape[:2]
-        if coarse is None:
+        if coarse_nnf is None:
             stream = random_stream(seed, RANDOM_NNF, level_number)
             passes.random_nnf(level.nnf, params.patch_width, *source_size, stream)
         else:
-            passes.upsample_nnf(coarse.nnf, level.nnf, params.patch_width, *source_size)
+            passes.upsample_nnf(coarse_nnf, level.nnf, params.patch_width, *source_size)
         level.init_occurrence_map()
         for vote in range(1, params.votes_above(depth) + 1):
             level.vote()
