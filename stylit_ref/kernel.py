@@ -7,16 +7,19 @@ source of the whole library, and the constants of its factory are named.
 """
 
 import hashlib
+from contextlib import suppress
 from pathlib import Path
 
 from numba import njit
-from numba.core.caching import CompileResultCacheImpl, FunctionCache
+from numba.core.caching import FunctionCache, IndexDataCacheFile
 
 
 def _library_digest():
+    library = Path(__file__).parent
     digest = hashlib.sha256()
-    for file in sorted(Path(__file__).parent.rglob("*.py")):
-        digest.update(file.read_bytes())
+    for file in sorted(library.rglob("*.py")):
+        source = file.read_bytes()
+        digest.update(f"{file.relative_to(library)} {len(source)} ".encode() + source)
     return digest.hexdigest()
 
 
@@ -24,29 +27,23 @@ LIBRARY_DIGEST = _library_digest()
 """Identifies the source of the library, on which every result depends."""
 
 
-class _OfThisSource:
-    def get_source_stamp(self):
-        return LIBRARY_DIGEST
-
-
-class _Storage(CompileResultCacheImpl):
-    """Numba's places for caches: NUMBA_CACHE_DIR, ``__pycache__``, the user's cache folder."""
-
-    _locator_classes = tuple(
-        type(locator.__name__, (_OfThisSource, locator), {})
-        for locator in CompileResultCacheImpl._locator_classes
-    )
-
-
 class _Cache(FunctionCache):
-    _impl_class = _Storage
+    """Files of their own for every source and every set of constants.
+
+    They lie where Numba would put them: in NUMBA_CACHE_DIR, ``__pycache__`` or the
+    user's cache folder. No file is ever written again with other contents, so that
+    processes of different sources or constants cannot read each other's.
+    """
 
     def __init__(self, function, constants):
         super().__init__(function)
-        self._constants = constants
+        identity = hashlib.sha256(repr((LIBRARY_DIGEST, constants)).encode()).hexdigest()[:16]
+        self._cache_file = IndexDataCacheFile(
+            self._cache_path, f"{self._impl.filename_base}-{identity}", LIBRARY_DIGEST
+        )
 
     def _index_key(self, signature, codegen):
-        return signature, codegen.magic_tuple(), self._constants
+        return signature, codegen.magic_tuple()
 
 
 # Only loops that say prange run in parallel: no array expression is worth a loop of its own.
@@ -76,7 +73,8 @@ def kernel(*constants, parallel=True):
         dispatcher = njit(parallel=_PRANGE_ALONE if parallel else False, error_model="numpy")(
             function
         )
-        dispatcher._cache = _Cache(function, constants)
+        with suppress(RuntimeError):  # no folder can be written: every process compiles anew
+            dispatcher._cache = _Cache(function, constants)
         return dispatcher
 
     return decorate

@@ -12,7 +12,7 @@ class Level:
     Attributes
     ----------
     textures : Textures
-        Ā and B̄, B' included, with their patch sums.
+        Ā and B̄, B' included, with their patches' moments.
     nnf : (H_B, W_B, 2) int32
         Source patch centre of each target pixel; -1 where a mask leaves it alone.
     delta : (H_B, W_B) int64
@@ -21,7 +21,7 @@ class Level:
         NNF' of the thesis.
     omega, omega_sums : (H_A, W_A) int32
         Ω, and W: Ω summed over each patch. The search keeps the one it reads up to
-        date; ``init_occurrence_map`` makes both anew.
+        date, W only where φ has a weight for it; ``init_occurrence_map`` makes both anew.
     occurrence_weight : int
         Weight of W in φ.
     """
@@ -67,7 +67,10 @@ class Level:
         self.passes.occurrence_map(self.nnf, self.omega, self.omega_sums, self.patch_width)
 
     def vote(self):
-        """E-step of 2.3: B' from the NNF; then δ of the NNF with the new B'."""
+        """E-step of 2.3: B' from the NNF; then δ of the NNF with the new B'.
+
+        A search needs :meth:`update_moments` before it.
+        """
         self.passes.vote(
             self.textures.source,
             self.textures.target,

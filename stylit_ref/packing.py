@@ -17,6 +17,7 @@ from stylit_ref.errors import InputError
 from stylit_ref.formulae.patch_moments import (
     BOUND_SCALE,
     CONSTANT,
+    LINE_LANES,
     STYLE_DEGREES,
     moment_width,
     squared_norm,
@@ -59,14 +60,14 @@ class Packing:
     def moments(self):
         """What each lane of a patch's moments holds: channel and degrees, or None for nothing.
 
-        A tuple of ``(channel, (vertical, horizontal))``, its length a multiple of 16:
+        A tuple of ``(channel, (vertical, horizontal))``, filling whole cache lines:
         the sums of all channels, then the higher moments of the style's.
         """
         lanes = [(channel, CONSTANT) for channel in range(self.channels)]
         style = range(self.style_channel, self.style_channel + self.style_channels)
         for degrees in STYLE_DEGREES:
             lanes += [(channel, degree) for channel in style for degree in degrees]
-        return (*lanes, *[None] * (-len(lanes) % LANES))
+        return (*lanes, *[None] * (-len(lanes) % LINE_LANES))
 
     def moment_weights(self, patch_width):
         """Weights of neighbouring lanes in the bound of δ, (lanes / 2,) uint32.

@@ -5,16 +5,30 @@ They differ in when the occurrence map Ω changes:
 ``scanline``
     Thesis 2.4: patch after patch, Ω live. Sequential, the plainest reference.
 ``propose_commit``
-    The default. Each kernel of thesis 3.3 (propagation at 4, at 2, at 1, then random
-    search) runs over the whole target with Ω frozen and only *proposes*. Then its
-    proposals *commit*, in 16 interleaved classes of pixels one after another: a pixel
-    moves if φ still falls with Ω as it stands, and Ω is brought up to date after each
-    class. The thesis updates Ω with atomics while its kernels run, which no two runs
-    repeat; this gives the same bytes with any number of threads.
+    The default and the canonical one. Each kernel of thesis 3.3 runs over the whole
+    target with Ω frozen and only *proposes*; then its proposals *commit*, and Ω follows.
+    The thesis updates Ω with atomics while its kernels run, which no two runs repeat;
+    this gives the same bytes with any number of threads.
 
-    Committing after every kernel matters: with one commit for all four, proposals that
-    build on each other rush to the same unused patches, and for λ = 50000 and more the
-    field loses coherence.
+The canonical iteration, to the last choice:
+
+1. Propagation at distance 4, commit; at 2, commit; at 1, commit; random search, commit.
+   Fewer distances lose usage at high λ and another order gains nothing
+   (``docs/performance.md``). One commit for all four makes proposals that build on each
+   other rush to the same unused patches, and for λ = 50000 and more the field loses
+   coherence.
+2. Propagation offers the assignments of the neighbours to the right, below, to the left
+   and above, as the kernel found them, shifted back and clamped to the source's centres.
+3. Random search offers one candidate each from the squares of radius 1, 2, 4, ... up to
+   half the larger side of the target, all around the assignment the kernel found. Its
+   stream is ``RANDOM_SEARCH``: draw ``k // 2`` of a pixel serves radius ``2**k`` with its
+   first two words if k is even, its last two if it is odd.
+4. A proposal is the candidate with the lowest φ; among equals the earlier one, the
+   assignment first.
+5. A commit takes the 16 classes ``(y mod 4, x mod 4)`` one after another, in an order
+   shuffled once an iteration (stream ``COMMIT_ORDER``) for its four commits. A pixel
+   moves if the φ of its proposal is below that of its assignment, both with W as it
+   stood when the class began; W follows when the class is done.
 """
 
 from stylit_ref.formulae.random_stream import COMMIT_ORDER, RANDOM_SEARCH, random_stream

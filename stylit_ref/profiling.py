@@ -21,6 +21,7 @@ class Profile:
 
     def __init__(self):
         self.seconds, self.calls = {COMPILATION: 0.0}, {COMPILATION: 0}
+        self._start = perf_counter()
 
     @contextmanager
     def stage(self, name):
@@ -52,15 +53,15 @@ class Profile:
         return SimpleNamespace(**{name: timed(name) for name in passes.__all__})
 
     def table(self):
-        """Lines of text: seconds, share of their sum and calls of each stage, largest first."""
-        total = sum(self.seconds.values()) or 1.0
+        """Lines of text: seconds, share and calls of each stage, largest first, and the rest."""
+        total = perf_counter() - self._start
         stages = sorted(self.seconds, key=self.seconds.get, reverse=True)
-        width = max(map(len, stages))
+        rows = [(name, self.seconds[name], self.calls[name]) for name in stages if self.calls[name]]
+        rows.append(("elsewhere", total - sum(self.seconds.values()), ""))
+        width = max(len(name) for name, _, _ in rows)
         return [f"{'stage':{width}}  seconds  share  calls"] + [
-            f"{name:{width}}  {self.seconds[name]:7.2f}  {self.seconds[name] / total:5.1%}  "
-            f"{self.calls[name]:5}"
-            for name in stages
-            if self.calls[name]
+            f"{name:{width}}  {seconds:7.2f}  {seconds / total:5.1%}  {calls:5}".rstrip()
+            for name, seconds, calls in rows
         ]
 
     def _add(self, name, seconds):

@@ -109,21 +109,27 @@ def test_presets_fill_in_what_is_not_said(scene, monkeypatch):
     ]
 
 
-@pytest.mark.parametrize("votes", ["a", "1,", "1,0"])
-def test_votes_that_are_no_counts(scene, capsys, votes):
+@pytest.mark.parametrize(
+    ("votes", "message"),
+    [("a", "--search-vote-iters"), ("1,", "--search-vote-iters"), ("1,0", "votes is 0")],
+)
+def test_votes_that_are_no_counts(capsys, votes, message):
     command = ["run", "--style", "s", "--guide", "a", "b", "--output", "o"]
     try:
         code = main([*command, "--search-vote-iters", votes])
     except SystemExit as stop:
         code = stop.code
     assert code == 2
-    assert len(capsys.readouterr().err.strip().split("\n")) == 1
+    said = capsys.readouterr().err.strip()
+    assert message in said
+    assert "\n" not in said
 
 
 def test_profile_names_the_stages(scene, capsys):
     assert run(scene[0], "--profile", "--quiet") == 0
     lines = capsys.readouterr().err.strip().split("\n")
     assert re.match(r"stage +seconds +share +calls", lines[0])
+    assert lines[-1].startswith("elsewhere ")
     stages = {re.match(r"(.+?) {2,}\d", line).group(1): line.split()[-1] for line in lines[1:]}
     assert stages["propagation"] == str(2 * 3)  # levels by distances
     assert stages["commit"] == str(2 * 4)

@@ -36,9 +36,24 @@ def test_a_kernel_is_compiled_once():
     assert run(make_kernel(1)) == (1, True)
 
 
-def test_constants_tell_kernels_apart():
+def test_constants_tell_kernels_apart(cache_folder):
     run(make_kernel(1))
+    before = {file: file.read_bytes() for file in cache_folder.rglob("*.nb?")}
     assert run(make_kernel(2)) == (2, False)
+    assert run(make_kernel(1)) == (1, True)
+    assert len(list(cache_folder.rglob("*.nb?"))) == 2 * len(before) == 4
+    assert {file: file.read_bytes() for file in before} == before
+
+
+def test_nowhere_to_write(monkeypatch):
+    def nowhere(function):
+        raise RuntimeError("no locator available")
+
+    monkeypatch.setattr("numba.core.caching.CompileResultCacheImpl", nowhere)
+    monkeypatch.setattr("stylit_ref.kernel.FunctionCache._impl_class", staticmethod(nowhere))
+    array = np.zeros(1, np.int64)
+    make_kernel(5)(array)
+    assert array[0] == 5
 
 
 def test_another_source_makes_a_kernel_stale(monkeypatch):

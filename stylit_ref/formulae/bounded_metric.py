@@ -8,7 +8,7 @@ best φ so far; all numbers are exact integers, so the decisions are the same
 1. W(Q), Ω summed over the patch, is kept for every patch (one read in place of 25).
 2. λρ(Q) alone is compared before any pixel is read.
 3. δ is bounded from below by the moments of the patches
-   (:mod:`stylit_ref.formulae.patch_moments`): one cache line in place of ten. It pays
+   (:mod:`stylit_ref.formulae.patch_moments`): a cache line or two in place of ten and more. It pays
    for random candidates, far from all that is in the caches, and rejects eleven in
    twelve. Propagated candidates lie where the neighbours just looked and are seldom
    much worse; for them the bound costs more than it saves.
@@ -34,7 +34,7 @@ class Textures(NamedTuple):
         Edge pixels repeated ``radius`` times.
     source_moments : (H_A, W_A, lanes) int16
         Moments of the patch centred at each pixel (zero at centres whose patch leaves
-        the source). They start at a cache line, as a line holds 32 of them.
+        the source). Whole cache lines: the first of them starts one.
     target_moments : (H_B, W_B, lanes) int16
     weights : (C,) int64
         Fixed-point weight of each channel.

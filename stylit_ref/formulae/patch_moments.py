@@ -21,8 +21,12 @@ POLYNOMIALS = {
 """Discrete orthogonal polynomials of degree 0, 1, 2 on the pixels of a row."""
 
 BOUND_SCALE = 8
-"""Fixed-point factor of the bound over δ; any divisor of 8 of the smallest norm, 9, fits
-32 bits beside weights of 32 bits."""
+"""Fixed-point factor of the bound over δ. Weights of moments fit 32 bits with it: guides,
+whose weights may take 32 bits, have the constant alone, of norm 9 or more; the smallest
+norm, 4, is the style's, whose weights take 17."""
+
+LINE_LANES = 32
+"""Moments, 16 bits each, in a cache line of 64 bytes."""
 
 CONSTANT = (0, 0)
 STYLE_DEGREES = (((0, 1), (1, 0)), ((0, 2), (2, 0)), ((1, 1),))
@@ -47,6 +51,9 @@ def squared_norm(width, degrees):
 @njit
 def patch_moment(texture, first_y, first_x, channel, vertical, horizontal):
     """⟨b, f⟩ on the block whose first pixel is ``(first_y, first_x)``.
+
+    The definition, pixel by pixel; :mod:`stylit_ref.passes.patch_moments` takes the same
+    numbers of every patch at once.
 
     Parameters
     ----------

@@ -27,7 +27,7 @@ def make_weighted_ssd(rows, pixels, channels, element_bits):
     channels : int
         Elements a pixel, a multiple of 16.
     element_bits : {8, 16}
-        8 for uint8 pixels; 16 for int16 patch sums (differences must fit int16).
+        8 for uint8 pixels; 16 for int16 moments (differences must fit int16).
 
     Returns
     -------

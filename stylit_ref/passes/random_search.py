@@ -7,6 +7,7 @@ from numba import njit, prange
 
 from stylit_ref.formulae.bounded_metric import make_bounded_metric
 from stylit_ref.formulae.candidates import random_candidate
+from stylit_ref.formulae.patch_moments import LINE_LANES
 from stylit_ref.formulae.prefetch import prefetch
 from stylit_ref.formulae.random_stream import random_words
 from stylit_ref.kernel import kernel
@@ -47,15 +48,20 @@ def _make_kernel(patch_width, channels, lanes):
                 block = min(TOGETHER, width - first_x)
                 for i in range(block):
                     x = first_x + i
+                    if nnf[y, x, 0] < 0:
+                        continue
                     draw(
                         candidates[i], nnf[y, x, 0], nnf[y, x, 1],
                         source_height, source_width, stream, y * width + x,
                     )  # fmt: skip
                 for i in range(block):
+                    if nnf[y, first_x + i, 0] < 0:
+                        continue
                     for k in range(radii):
                         place = np.int64(candidates[i, k, 0]) * source_width + candidates[i, k, 1]
                         prefetch(omega_sums, place)
-                        prefetch(textures.source_moments, place * lanes)
+                        for line in range(0, lanes, LINE_LANES):
+                            prefetch(textures.source_moments, place * lanes + line)
                 for i in range(block):
                     x = first_x + i
                     counts[i] = 0
@@ -117,7 +123,7 @@ def random_search(
     height, width = delta.shape
     radii = (max(height, width) // 2).bit_length()
     candidates = np.empty((height, TOGETHER, radii, 2), np.int32)
-    promising = np.empty((height, TOGETHER, radii + 1), np.int32)
+    promising = np.empty((height, TOGETHER, radii), np.int32)
     counts = np.empty((height, TOGETHER), np.int32)
     run(
         textures, omega_sums, occurrence_weight, nnf, delta, new_nnf, new_delta, stream,

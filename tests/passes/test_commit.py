@@ -1,3 +1,5 @@
+import sys
+
 import brute_force
 import numpy as np
 import pytest
@@ -52,8 +54,13 @@ def test_commit_takes_what_lowers_phi_class_by_class(case):
     np.testing.assert_array_equal(level.nnf, expected)
 
 
-def test_w_and_delta_follow_the_moves():
-    level = make_level(target_size=(15, 18))
+@pytest.mark.parametrize("threads", [1, 2, 40])
+@pytest.mark.parametrize("target_size", [(15, 18), (3, 30), (30, 2)])
+def test_w_and_delta_follow_the_moves(target_size, threads, monkeypatch):
+    """In as many bands of W as there are threads, some of them empty."""
+    commit_module = sys.modules["stylit_ref.passes.commit"]
+    monkeypatch.setattr(commit_module, "get_num_threads", lambda: threads)
+    level = make_level(target_size=target_size)
     propose(level)
     commit(level)
     omega_sums, delta = level.omega_sums.copy(), level.delta.copy()

@@ -62,8 +62,9 @@ def test_moments_follow_a_vote():
     np.testing.assert_array_equal(updated, level.textures.target_moments)
 
 
-def test_moments_start_at_a_cache_line():
-    level = make_level()
+@pytest.mark.parametrize(("guide_channels", "line_bytes"), [((3, 3), 64), ((3,) * 5, 128)])
+def test_moments_fill_cache_lines(guide_channels, line_bytes):
+    level = make_level(guide_channels=guide_channels)
     for moments in (level.textures.source_moments, level.textures.target_moments):
         assert moments.ctypes.data % 64 == 0
-        assert moments.strides[1] == 64
+        assert moments.strides[1] == line_bytes
