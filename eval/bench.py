@@ -4,14 +4,16 @@ With the path of an ebsynth binary the same scene goes through both, so that rat
 not depend on how fast or busy the machine is.
 """
 
+import json
 import os
 import shutil
 import subprocess
 import sys
 import tempfile
 import time
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
+from typing import NamedTuple
 
 import numba
 import numpy as np
@@ -29,6 +31,7 @@ THESIS = {"uniformity": 10000, "levels": 6, "votes": 6, "patchmatch_iterations":
 EBSYNTH_DEFAULTS = {"uniformity": 3500, "levels": 7, "votes": 6, "patchmatch_iterations": 4}
 FAST = PRESETS["fast"] | {"uniformity": EBSYNTH_DEFAULTS["uniformity"]}
 SCALES = (0.5, 1, 2, 4)
+_ACCOUNTANT = str(Path(__file__).with_name("accountant.py"))
 _FLAGS = {
     "uniformity": "--uniformity",
     "levels": "--pyramid-levels",
@@ -37,8 +40,7 @@ _FLAGS = {
 }
 
 
-@dataclass(frozen=True)
-class Cost:
+class Cost(NamedTuple):
     """What a finished process took: wall and processor seconds, MiB of memory."""
 
     seconds: float
@@ -63,19 +65,27 @@ def timed(command, environment=None):
     InputError
         If it fails; the message holds the end of its output.
     """
-    with tempfile.TemporaryFile() as output:
-        start = time.perf_counter()
-        process = subprocess.Popen(
-            command, stdout=output, stderr=subprocess.STDOUT, env=environment
-        )
-        _, status, used = os.wait4(process.pid, 0)
-        seconds = time.perf_counter() - start
-        process.returncode = os.waitstatus_to_exitcode(status)
-        if process.returncode:
-            output.seek(0)
-            tail = output.read()[-300:].decode(errors="replace").strip()
-            raise InputError(f"{command[0]} failed with code {process.returncode}: {tail}")
-    return Cost(seconds, used.ru_utime + used.ru_stime, used.ru_maxrss / 1024)
+    reading, writing = os.pipe()
+    with open(reading) as report:
+        try:
+            launcher = subprocess.run(
+                [sys.executable, "-S", _ACCOUNTANT, str(writing), *command],
+                check=False,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.STDOUT,
+                text=True,
+                errors="replace",
+                env=environment,
+                pass_fds=[writing],
+            )
+        finally:
+            os.close(writing)
+        if launcher.returncode:
+            raise InputError(
+                f"{command[0]} failed with code {launcher.returncode}: "
+                f"{launcher.stdout[-300:].strip()}"
+            )
+        return Cost(*json.load(report))
 
 
 def bench(scene, folder, ebsynth=None):
