@@ -16,11 +16,17 @@ CASES = {
     "defaults": ({}, np.s_[:], False),
     "wide patch without penalization": ({"patch_width": 7, "uniformity": 0}, np.s_[:2], False),
     "even use of a grey style, masked": ({"uniformity": 100000, "levels": 2}, np.s_[1:], True),
+    "scanline": (
+        {"schedule": "scanline", "levels": 2, "patchmatch_iterations": 2},
+        np.s_[:],
+        False,
+    ),
 }
 PINNED = {
     "defaults": "e1df13cdfd4aa3da",
     "wide patch without penalization": "2754a87975972d25",
     "even use of a grey style, masked": "ba944a54d570450d",
+    "scanline": "0f556b185b0bddce",
 }
 
 
