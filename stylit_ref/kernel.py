@@ -7,6 +7,7 @@ source of the whole library, and the constants of its factory are named.
 """
 
 import hashlib
+import os
 from contextlib import suppress
 from pathlib import Path
 
@@ -22,6 +23,11 @@ def _library_digest():
         digest.update(f"{file.relative_to(library)} {len(source)} ".encode() + source)
     return digest.hexdigest()
 
+
+# Where threads wait for each other, GNU OpenMP spins for milliseconds before it sleeps. Beside
+# another busy program that takes the processor from the very thread waited for, and a run
+# takes twenty times as long (docs/performance.md). Read when the first kernel runs.
+os.environ.setdefault("GOMP_SPINCOUNT", "3000")
 
 LIBRARY_DIGEST = _library_digest()
 """Identifies the source of the library, on which every result depends."""

@@ -7,11 +7,15 @@ class by class of an interleaved lattice, each compared once more with Ω as it 
 """
 
 import numpy as np
-from numba import get_num_threads, njit, prange
+from numba import get_num_threads, njit, prange, set_num_threads
 
 from stylit_ref.formulae.commit_classes import CLASS_STRIDE, commit_order
 from stylit_ref.formulae.patch_penalization import update_omega_sums
 from stylit_ref.kernel import kernel
+
+# Threads meet 33 times in a commit. On fewer pixels than this it costs more than it saves, and
+# far more where other programs keep a thread from coming to the meeting.
+FEWEST_PIXELS_FOR_THREADS = 30_000
 
 
 @njit(forceinline=True)
@@ -103,8 +107,14 @@ def commit(
     columns = np.empty((height, CLASS_STRIDE, -(-width // CLASS_STRIDE)), np.int32)
     counts = np.zeros((height, CLASS_STRIDE), np.int32)
     order = np.empty((CLASS_STRIDE**2, 2), np.int32)
-    _commit(
-        nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, patch_width,
-        stream, columns, counts, order, get_num_threads(),
-    )  # fmt: skip
+    available = get_num_threads()
+    threads = available if delta.size >= FEWEST_PIXELS_FOR_THREADS else 1
+    set_num_threads(threads)
+    try:
+        _commit(
+            nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, patch_width,
+            stream, columns, counts, order, threads,
+        )  # fmt: skip
+    finally:
+        set_num_threads(available)
     return int(counts.sum())

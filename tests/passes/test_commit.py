@@ -1,6 +1,7 @@
 import sys
 
 import brute_force
+import numba
 import numpy as np
 import pytest
 from small_level import make_level
@@ -60,6 +61,8 @@ def test_w_and_delta_follow_the_moves(target_size, threads, monkeypatch):
     """In as many bands of W as there are threads, some of them empty."""
     commit_module = sys.modules["stylit_ref.passes.commit"]
     monkeypatch.setattr(commit_module, "get_num_threads", lambda: threads)
+    monkeypatch.setattr(commit_module, "set_num_threads", lambda _: None)
+    monkeypatch.setattr(commit_module, "FEWEST_PIXELS_FOR_THREADS", 0)
     level = make_level(target_size=target_size)
     propose(level)
     commit(level)
@@ -77,3 +80,15 @@ def test_masked_pixels_stay_unassigned():
     propose(level)
     commit(level)
     np.testing.assert_array_equal(level.nnf[:, :, 0] < 0, masked)
+
+
+@pytest.mark.parametrize("fewest", [0, 10**9])
+def test_threads_are_the_callers_again_afterwards(fewest, monkeypatch):
+    monkeypatch.setattr(
+        sys.modules["stylit_ref.passes.commit"], "FEWEST_PIXELS_FOR_THREADS", fewest
+    )
+    level = make_level(target_size=(15, 18))
+    propose(level)
+    before = numba.get_num_threads()
+    assert commit(level) > 0
+    assert numba.get_num_threads() == before
