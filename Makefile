@@ -1,26 +1,31 @@
-# make eval   install and write a report on a scene (SCENE=folder, default the bundled one)
+# make eval   install and write a report on a scene: SCENE=TARGET/STYLE or a folder, DATA=folder
 # make test   install and run the tests
 # make help   the other targets
 
 PYTHON ?= python3
 VENV ?= .venv
 BIN := $(VENV)/bin
-SCENE ?= data_gen/bundled/figure
+SCENE ?= golem/crayon
+DATA ?= data_gen/bundled
+SIZE ?= 1200x912
 ARGS ?=
 
-.PHONY: eval schedules bench test lint data help clean
+.PHONY: eval schedules bench scenes test lint data help clean
 
 eval: $(VENV)/eval.installed ## λ report of a scene
-	$(BIN)/python -m eval lambda --scene "$(SCENE)" $(ARGS)
+	$(BIN)/python -m eval lambda --scene "$(SCENE)" --data "$(DATA)" $(ARGS)
 
 schedules: $(VENV)/eval.installed ## propose_commit against scanline at every λ (slow)
-	$(BIN)/python -m eval schedules --scene "$(SCENE)" $(ARGS)
+	$(BIN)/python -m eval schedules --scene "$(SCENE)" --data "$(DATA)" $(ARGS)
 
 bench: $(VENV)/eval.installed ## time and energy, beside ebsynth with EBSYNTH=path
-	$(BIN)/python -m eval bench --scene "$(SCENE)" $(if $(EBSYNTH),--ebsynth "$(EBSYNTH)") $(ARGS)
+	$(BIN)/python -m eval bench --scene "$(SCENE)" --data "$(DATA)" $(if $(EBSYNTH),--ebsynth "$(EBSYNTH)") $(ARGS)
 
-data: $(VENV)/eval.installed ## render the bundled scene anew
-	$(BIN)/python -m data_gen
+scenes: $(VENV)/eval.installed ## contact sheets, and every target in every style
+	$(BIN)/python -m eval scenes --data "$(DATA)" $(ARGS)
+
+data: $(VENV)/render.installed ## render scenes and styles: SIZE=1200x912, SCENES=teapot,house
+	$(BIN)/python -m data_gen --size "$(SIZE)" $(if $(SCENES),--scenes "$(SCENES)") $(ARGS)
 
 test: $(VENV)/test.installed ## all tests
 	$(BIN)/python -m pytest $(ARGS)

@@ -1,31 +1,70 @@
-"""Render the bundled scene: ``python -m data_gen [FOLDER]``."""
+"""Render a data set: ``python -m data_gen``."""
 
 import argparse
+import re
+import sys
 from pathlib import Path
 
-from skimage.io import imsave
+from data_gen.manifest import DataError
+from data_gen.produce import SCENES, produce
+from data_gen.renderer import MissingRendererError
 
-from data_gen.analytic_scene import FIGURE, SPHERE, render
-from data_gen.painted_style import paint_crayon
-
-BUNDLED = Path(__file__).parent / "bundled" / "figure"
-HEIGHT, WIDTH = 304, 400
+SMALLEST, LARGEST = 16, 8192
 
 
-def main():
-    """Write ``source_*.png``, ``target_*.png`` and ``source_style.png``."""
+def main(arguments=None):
+    """Make what is missing; returns the exit code."""
     parser = argparse.ArgumentParser(prog="python -m data_gen", description=__doc__)
-    parser.add_argument("folder", nargs="?", type=Path, default=BUNDLED)
-    folder = parser.parse_args().folder
-    folder.mkdir(parents=True, exist_ok=True)
-    for side, shape in (("source", SPHERE), ("target", FIGURE)):
-        passes = render(shape, HEIGHT, WIDTH, antialias=3, light_side=6, bounces=96)
-        for name, image in passes.items():
-            imsave(folder / f"{side}_{name}.png", image, check_contrast=False)
-        if shape == SPHERE:
-            imsave(folder / "source_style.png", paint_crayon(passes), check_contrast=False)
-        print(f"{folder}: {side} rendered")
+    parser.add_argument("--size", type=_size, default=(1200, 912), help="default: 1200x912")
+    parser.add_argument(
+        "--scenes", type=_scenes, default=SCENES,
+        help=f"comma-separated, default all: {','.join(SCENES)}; the source is always made",
+    )  # fmt: skip
+    parser.add_argument("--samples", type=_count, default=64, help="a pixel, default 64")
+    parser.add_argument("--folder", type=Path, help="default: build/data/SIZE")
+    parser.add_argument(
+        "--guides-only", action="store_true", help="no passes.exr, as in the bundled set"
+    )
+    options = parser.parse_args(arguments)
+    width, height = options.size
+    folder = options.folder or Path("build/data") / f"{width}x{height}"
+    try:
+        made = produce(
+            folder, options.size, options.scenes, options.samples, exr=not options.guides_only
+        )
+    except (DataError, MissingRendererError, OSError) as error:
+        print(f"data_gen: {error}", file=sys.stderr)
+        return 2
+    except KeyboardInterrupt:
+        print("data_gen: interrupted; finished pieces are kept", file=sys.stderr)
+        return 130
+    print(f"{folder}: {', '.join(made) if made else 'nothing'} made anew, the rest was there")
+    return 0
+
+
+def _size(text):
+    match = re.fullmatch(r"(\d+)x(\d+)", text)
+    size = tuple(map(int, match.groups())) if match else (0, 0)
+    if not all(SMALLEST <= length <= LARGEST for length in size):
+        raise argparse.ArgumentTypeError(
+            f"{text} is no size; it must be WIDTHxHEIGHT with {SMALLEST} to {LARGEST} pixels each"
+        )
+    return size
+
+
+def _scenes(text):
+    scenes = text.split(",")
+    unknown = sorted(set(scenes) - set(SCENES))
+    if unknown:
+        raise argparse.ArgumentTypeError(f"no scene {', '.join(unknown)}; {', '.join(SCENES)}")
+    return scenes
+
+
+def _count(text):
+    if not text.isdecimal() or not 1 <= int(text) <= 4096:
+        raise argparse.ArgumentTypeError(f"{text} is no number of samples from 1 to 4096")
+    return int(text)
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

@@ -8,7 +8,8 @@ from pathlib import Path
 from eval.bench import bench
 from eval.lambda_report import lambda_report
 from eval.report import REPORTS
-from eval.scenes import BUNDLED, load_scene
+from eval.scenes import BUNDLED, DEFAULT, load_scene
+from eval.scenes_report import scenes_report
 from eval.schedules_report import UNIFORMITIES, schedules_report
 from stylit_ref import InputError
 
@@ -16,8 +17,11 @@ from stylit_ref import InputError
 def main(arguments=None):
     """Write one of the reports; returns the exit code."""
     parser = argparse.ArgumentParser(prog="python -m eval", description=__doc__)
-    parser.add_argument("report", choices=("lambda", "schedules", "bench"))
-    parser.add_argument("--scene", default=BUNDLED, help="folder of a scene (default: bundled)")
+    parser.add_argument("report", choices=("lambda", "schedules", "bench", "scenes"))
+    parser.add_argument(
+        "--scene", default=DEFAULT, help=f"TARGET/STYLE or a folder of yours (default {DEFAULT})"
+    )
+    parser.add_argument("--data", default=BUNDLED, help="folder of a data set (default: bundled)")
     parser.add_argument("--step", type=int, default=1, help="keep every STEPth pixel (default 1)")
     parser.add_argument("--seeds", type=int, nargs="+", default=[0], help="default: 0")
     parser.add_argument(
@@ -32,15 +36,20 @@ def main(arguments=None):
     options = parser.parse_args(arguments)
     warnings.showwarning = lambda message, *_: print(f"note: {message}", file=sys.stderr)
     try:
-        scene = load_scene(options.scene, options.step)
-        folder = options.output or REPORTS / f"{options.report}_{scene.name}_{scene.size}"
+        folder = options.output
+        if options.report == "scenes":
+            folder = folder or REPORTS / f"scenes_{Path(options.data).resolve().name}"
+            scenes_report(options.data, folder, options.seeds[0])
+        else:
+            scene = load_scene(options.scene, options.data, options.step)
+            folder = folder or REPORTS / f"{options.report}_{scene.name}_{scene.size}"
         if options.report == "lambda":
             lambda_report(scene, folder, options.seeds[0], not options.numbers)
         elif options.report == "schedules":
             schedules_report(
                 scene, folder, options.seeds, options.uniformities, not options.numbers
             )
-        else:
+        elif options.report == "bench":
             bench(scene, folder, options.ebsynth)
     except InputError as error:
         print(f"eval: {error}", file=sys.stderr)

@@ -1,7 +1,34 @@
-"""Pictures side by side, each with a zoom-in at the same place."""
+"""Pictures side by side: contact sheets, and comparisons with zoom-ins."""
 
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
+
+
+def contact_sheet(file, rows, tile=300):
+    """Save rows of titled images.
+
+    Parameters
+    ----------
+    file : Path
+    rows : list of list of (str, (H, W, n) array)
+        Titles and images.
+    tile : int
+        Width of an image in pixels.
+    """
+    columns = max(len(row) for row in rows)
+    height, width = rows[0][0][1].shape[:2]
+    high = tile * height / width + 22
+    figure = Figure(figsize=(columns * (tile + 8) / 100, len(rows) * high / 100), dpi=100)
+    axes = figure.subplots(len(rows), columns, squeeze=False)
+    figure.subplots_adjust(0, 0, 1, 1 - 20 / (high * len(rows)), wspace=0.03, hspace=22 / high)
+    for place in axes.flat:
+        place.axis("off")
+    for places, row in zip(axes, rows, strict=True):
+        for place, (title, image) in zip(places, row, strict=False):
+            grey = image.shape[2] < 3
+            place.imshow(image[:, :, 0] if grey else image, cmap="gray" if grey else None)
+            place.set_title(title, fontsize=9, pad=3)
+    figure.savefig(file)
 
 
 def comparison(file, rows, zoom):

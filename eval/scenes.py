@@ -6,10 +6,13 @@ from pathlib import Path
 
 import numpy as np
 
+from data_gen.guides import LIGHT_PASSES
+from data_gen.manifest import DataError, Manifest
 from stylit_ref import InputError, read_uint8
 from stylit_ref.image_io import read_guides
 
-BUNDLED = Path(__file__).parents[1] / "data_gen" / "bundled" / "figure"
+BUNDLED = Path(__file__).parents[1] / "data_gen" / "bundled"
+DEFAULT = "golem/crayon"
 
 
 @dataclass(frozen=True)
@@ -46,7 +49,8 @@ class Scene:
     def shown_guide(self):
         """The target guide to show: the full render where there is one."""
         names = self.guide_names
-        return self.target_guides[names.index("fullgi") if "fullgi" in names else 0]
+        shown = next((names.index(name) for name in ("FULL", "fullgi") if name in names), 0)
+        return self.target_guides[shown]
 
     @property
     def digest(self):
@@ -58,30 +62,58 @@ class Scene:
         return digest.hexdigest()
 
 
-def load_scene(folder, step=1):
-    """Read ``source_style``, ``source_<guide>`` and ``target_<guide>`` images.
+def load_scene(name, data=BUNDLED, step=1):
+    """Read a scene.
 
     Parameters
     ----------
-    folder : str or Path
+    name : str or Path
+        ``TARGET/STYLE`` of a data set, with its light passes as guides; or a folder with
+        ``source_style``, ``source_<guide>`` and ``target_<guide>`` images, whose guides
+        come in alphabetical order.
+    data : str or Path
+        Folder of the data set.
     step : int
         Keep every ``step``-th pixel on each axis.
 
     Returns
     -------
     Scene
-        Guides in alphabetical order.
 
     Raises
     ------
     InputError
-        If the folder is not such a scene.
+        If there is no such scene, or a file is not what its manifest says.
     """
     if step < 1:
         raise InputError(f"step is {step}; it must be 1 or more")
-    folder = Path(folder)
-    if not folder.is_dir():
-        raise InputError(f"{folder}: no such folder")
+    folder = Path(name)
+    if folder.is_dir():
+        return _from_folder(folder, step)
+    try:
+        return _from_data_set(str(name), Manifest(data), step)
+    except DataError as error:
+        raise InputError(str(error)) from None
+
+
+def _from_data_set(name, manifest, step):
+    targets, styles = manifest.targets, manifest.styles
+    target, _, style = name.partition("/")
+    if target not in targets or style not in styles:
+        raise InputError(
+            f"{name}: is neither a folder nor TARGET/STYLE of {manifest.folder}; targets there: "
+            f"{', '.join(targets)}; styles: {', '.join(styles)}"
+        )
+    sources, guides = (
+        tuple(_read(manifest.path(f"{place}/{guide}.png"), step) for guide in LIGHT_PASSES)
+        for place in ("source", target)
+    )
+    style_image = _read(manifest.path(f"source/styles/{style}.png"), step)
+    name = f"{target}_{style}"
+    return Scene(name, manifest.folder, LIGHT_PASSES, style_image, sources, guides, step)
+
+
+def _from_folder(folder, step):
     files = {file.stem: file for file in sorted(folder.iterdir()) if file.is_file()}
     sources, targets = (
         {stem.removeprefix(side) for stem in files if stem.startswith(side)} - {"style"}
@@ -97,16 +129,21 @@ def load_scene(folder, step=1):
         raise InputError(f"{folder}: the guide '{alone}' lacks its {missing} image")
     guides = tuple(sorted(sources))
 
-    def reduced(image):
-        return np.ascontiguousarray(image[::step, ::step])
-
     pairs = [read_guides(files[f"source_{name}"], files[f"target_{name}"]) for name in guides]
     return Scene(
         folder.resolve().name,
         folder,
         guides,
-        reduced(read_uint8(files["source_style"])),
-        tuple(reduced(source) for source, _ in pairs),
-        tuple(reduced(target) for _, target in pairs),
+        _every(step, read_uint8(files["source_style"])),
+        tuple(_every(step, source) for source, _ in pairs),
+        tuple(_every(step, target) for _, target in pairs),
         step,
     )
+
+
+def _read(path, step):
+    return _every(step, read_uint8(path))
+
+
+def _every(step, image):
+    return np.ascontiguousarray(image[::step, ::step])

@@ -3,6 +3,7 @@
 import argparse
 import sys
 import warnings
+from itertools import chain
 from pathlib import Path
 
 import numpy as np
@@ -18,7 +19,7 @@ from stylit_ref.image_io import (
     read_uint8,
     write_image,
 )
-from stylit_ref.output_file import check_folder, check_writable, whole_file
+from stylit_ref.output_file import check_distinct, check_folder, check_writable, whole_file
 from stylit_ref.params import PRESETS, Params
 from stylit_ref.profiling import Profile
 from stylit_ref.replaying import replay
@@ -47,7 +48,7 @@ def main(arguments=None):
         print(f"stylit-ref: {error}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
-        print("stylit-ref: interrupted; no partial file is left", file=sys.stderr)
+        print("stylit-ref: interrupted; no half-written file is left", file=sys.stderr)
         return 130
     return 0
 
@@ -195,6 +196,10 @@ def _run(options):
     levels = Path(options.save_levels) if options.save_levels else None
     if levels:
         check_folder(levels)
+    check_distinct(
+        [options.output, options.nnf, options.save_levels],
+        [options.style, options.mask, options.fill, *chain.from_iterable(options.guide)],
+    )
 
     def save_level(level, image):
         if levels:
@@ -241,6 +246,7 @@ def _replay(options):
         raise InputError(f"{options.nnf}: cannot be read: {error.strerror}") from None
     except (ValueError, EOFError) as error:
         raise InputError(f"{options.nnf}: is not a readable .npy file: {error}") from None
+    check_distinct([options.output], [options.style, options.nnf])
     check_image_writable(options.output, style.shape[2])
     image = replay(nnf, style, patch_width=options.patch_width, scale=options.scale)
     write_image(options.output, image)
@@ -256,7 +262,7 @@ def _check_npy(path):
 
 
 def _save_npy(path, array):
-    with whole_file(path) as partial:
+    with whole_file(path, array.nbytes + 2**12) as partial:
         np.save(partial, array)
 
 

@@ -129,7 +129,9 @@ def write_image(path, image):
     if alpha_channel is not None:
         spec.alpha_channel = alpha_channel
         spec.channelnames = ("Y", "A") if channels == 2 else ("R", "G", "B", "A")
-    with whole_file(path) as partial:
+    # Compression may not pay: allow for pixels as they are, 4 bytes in a floating-point file.
+    depth = 4 if stored == "float" else image.itemsize
+    with whole_file(path, image.size * depth * 9 // 8 + 2**16) as partial:
         output = oiio.ImageOutput.create(str(partial))
         written = output.open(str(partial), spec) and output.write_image(image)
         if not (output.close() and written):

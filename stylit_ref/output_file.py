@@ -1,6 +1,7 @@
 """Output files that appear whole or not at all."""
 
 import os
+import shutil
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -49,13 +50,54 @@ def temporary_name(path):
         name.unlink(missing_ok=True)
 
 
+def check_distinct(outputs, inputs=()):
+    """Refuse outputs that would overwrite each other or what is read.
+
+    Parameters
+    ----------
+    outputs, inputs : iterables of str, Path or None
+        ``FILE:LAYER`` counts as its file.
+
+    Raises
+    ------
+    InputError
+    """
+    taken = {}
+    for path in filter(None, inputs):
+        file = Path(path) if Path(path).exists() else Path(str(path).rpartition(":")[0])
+        taken[file.resolve()] = "read too"
+    for path in filter(None, outputs):
+        place = Path(path).resolve()
+        if place in taken:
+            raise InputError(f"{path}: is {taken[place]}; name another file")
+        taken[place] = "named twice"
+
+
 @contextmanager
-def whole_file(path):
+def whole_file(path, size):
     """A temporary name that becomes ``path`` when the block succeeds.
 
     Whatever interrupts the block, no partial file is left. A link is followed.
+
+    Parameters
+    ----------
+    path : str or Path
+    size : int
+        Bytes that the file may need. Asked for beforehand: some image libraries write a
+        broken file to a full disk without a word.
+
+    Raises
+    ------
+    InputError
+        If there is no room, or the file cannot be written.
     """
     path = Path(path)
+    free = shutil.disk_usage(path.resolve().parent).free
+    if free < size:
+        raise InputError(
+            f"{path}: cannot be written: it may need {size / 2**20:.1f} MiB and "
+            f"{free / 2**20:.1f} MiB are free"
+        )
     with temporary_name(path) as partial:
         try:
             yield partial

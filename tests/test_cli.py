@@ -2,6 +2,7 @@
 
 import os
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -291,6 +292,28 @@ class TestRefusals:
     def test_unwritable_outputs(self, scene, capsys, option, value, message):
         assert message in refused(capsys, run(scene[0], option, scene[0] / value))
 
+    @pytest.mark.parametrize("taken", ["style.png", "source_0.png", "mask.png"])
+    def test_outputs_that_would_overwrite_inputs(self, scene, capsys, taken):
+        folder = scene[0]
+        write_image(folder / "mask.png", np.zeros((38, 44, 1), np.uint8))
+        before = (folder / taken).read_bytes()
+        code = run(
+            folder, "--mask", folder / "mask.png", "--output", folder / ".." / folder.name / taken
+        )
+        assert f"{taken}: is read too; name another file" in refused(capsys, code)
+        assert (folder / taken).read_bytes() == before
+
+    def test_outputs_of_one_name(self, scene, capsys):
+        folder = scene[0]
+        code = run(folder, "--save-levels", folder / "out.png")
+        assert "out.png: is named twice" in refused(capsys, code)
+
+    def test_a_full_disk(self, scene, capsys, monkeypatch):
+        free = shutil.disk_usage(scene[0])._replace(free=5000)
+        monkeypatch.setattr(shutil, "disk_usage", lambda _: free)
+        message = refused(capsys, run(scene[0]))
+        assert "out.png: cannot be written: it may need 0.1 MiB and 0.0 MiB are free" in message
+
     @pytest.mark.skipif(os.geteuid() == 0, reason="root may write anywhere")
     def test_folder_without_permission(self, scene, capsys, tmp_path):
         locked = tmp_path / "locked"
@@ -347,7 +370,7 @@ def test_interruption_leaves_nothing(scene):
     finally:
         process.kill()
     assert process.returncode == 130
-    assert errors.strip() == "stylit-ref: interrupted; no partial file is left"
+    assert errors.strip() == "stylit-ref: interrupted; no half-written file is left"
     assert not (folder / "out.png").exists()
     assert not (folder / "nnf.npy").exists()
     assert [file.name for file in (folder / "levels").iterdir()] == ["level_1.png"]

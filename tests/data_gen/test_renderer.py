@@ -1,0 +1,80 @@
+"""What is said where the renderer is missing."""
+
+import sys
+
+import pytest
+
+import data_gen.renderer
+from data_gen.__main__ import main
+from data_gen.renderer import MissingRendererError, start
+
+
+@pytest.fixture
+def no_llvm(monkeypatch):
+    monkeypatch.delenv("DRJIT_LIBLLVM_PATH", raising=False)
+    monkeypatch.setattr(data_gen.renderer.ctypes.util, "find_library", lambda _: None)
+    return lambda found: monkeypatch.setattr(
+        data_gen.renderer, "glob", lambda pattern: [f for f in found if "/usr/lib/" in pattern]
+    )
+
+
+@pytest.mark.parametrize(
+    ("found", "have"),
+    [
+        ([], "none was found"),
+        (["/usr/lib/x/libLLVM-14.so.1", "/usr/lib/x/libLLVM-15.so"], "libLLVM-15.so"),
+    ],
+)
+def test_llvm_that_is_missing_or_too_old(no_llvm, found, have):
+    no_llvm(found)
+    with pytest.raises(MissingRendererError) as error:
+        start()
+    message = str(error.value)
+    assert have in message
+    assert "apt install libllvm19" in message
+    assert "bundled with the project work without it" in message
+
+
+def test_the_newest_llvm_is_taken(no_llvm):
+    no_llvm(["/usr/lib/x/libLLVM-15.so", "/usr/lib/x/libLLVM.so.19.1", "/usr/lib/x/libLLVM-9.so"])
+    assert data_gen.renderer._newest_llvm() == "/usr/lib/x/libLLVM.so.19.1"
+
+
+def test_mitsuba_that_is_missing(monkeypatch):
+    monkeypatch.setenv("DRJIT_LIBLLVM_PATH", "libLLVM.so")
+    monkeypatch.setitem(sys.modules, "mitsuba", None)
+    with pytest.raises(MissingRendererError, match=r"pip install '\.\[render\]'"):
+        start()
+
+
+def test_one_sentence_and_nothing_written(no_llvm, tmp_path, capsys):
+    no_llvm([])
+    folder = tmp_path / "set"
+    assert main(["--size", "30x20", "--folder", str(folder)]) == 2
+    error = capsys.readouterr().err
+    assert error.startswith("data_gen: rendering needs the LLVM library")
+    assert error.count("\n") == 1
+    assert not folder.exists()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["--size", "300"], "300 is no size"),
+        (["--size", "8x8"], "16 to 8192"),
+        (["--scenes", "teapot,bunny"], "no scene bunny"),
+        (["--samples", "0"], "no number of samples"),
+    ],
+)
+def test_bad_arguments(capsys, arguments, message):
+    with pytest.raises(SystemExit) as caught:
+        main(arguments)
+    assert caught.value.code == 2
+    assert message in capsys.readouterr().err
+
+
+def test_a_folder_of_somebody_else(tmp_path, capsys):
+    (tmp_path / "mine.txt").write_text("keep")
+    assert main(["--size", "30x20", "--folder", str(tmp_path)]) == 2
+    assert "choose an empty folder" in capsys.readouterr().err
+    assert [file.name for file in tmp_path.iterdir()] == ["mine.txt"]

@@ -1,0 +1,189 @@
+"""Light passes against the renderer's own integrators; motion fields against positions."""
+
+import numpy as np
+import pytest
+from scipy.ndimage import map_coordinates
+
+from data_gen.renderer import MissingRendererError, start
+
+try:
+    start()
+except MissingRendererError as error:
+    pytest.skip(str(error), allow_module_level=True)
+
+import mitsuba as mi
+
+from data_gen.camera import GRID, HOUSE_SOURCE, STAGE_VIEW
+from data_gen.features import features, trace
+from data_gen.light_paths import LONGEST_PATH, PASSES
+from data_gen.manifest import Manifest
+from data_gen.models import sphere, teapot
+from data_gen.motion import motion_field
+from data_gen.produce import produce
+from data_gen.rendering import Rendering
+from data_gen.stage import Material, house_scene, load, on_stage
+
+HEIGHT, WIDTH = 46, 60
+SAMPLES = 1024
+
+
+@pytest.fixture(scope="module")
+def stage():
+    return on_stage(teapot(steps=12))
+
+
+def rendered(scene, integrator, camera=STAGE_VIEW, seed=0):
+    loaded = load(scene, camera, HEIGHT, WIDTH, SAMPLES, integrator)
+    return np.array(mi.render(loaded, seed=seed)).astype(float)
+
+
+def passes(scene, camera=STAGE_VIEW):
+    image = rendered(scene, {"type": "light_paths"}, camera)[..., 3:]
+    return {name: image[..., 3 * k : 3 * k + 3] for k, name in enumerate(PASSES)}
+
+
+def assert_same_light(ours, theirs):
+    """Equal within noise: nowhere biased, and pixels differ as two renders do."""
+    assert ours.sum() == pytest.approx(theirs.sum(), rel=0.005)
+    for region in np.split(np.arange(HEIGHT), [15, 30]):
+        assert ours[region].sum() == pytest.approx(theirs[region].sum(), rel=0.02)
+    assert np.abs(ours - theirs).mean() < 0.03 * theirs.mean()
+
+
+@pytest.mark.parametrize("camera", [STAGE_VIEW, HOUSE_SOURCE], ids=["stage", "house"])
+def test_full_is_what_the_path_tracer_renders(stage, camera):
+    scene = stage if camera == STAGE_VIEW else house_scene()
+    path = {"type": "path", "max_depth": LONGEST_PATH + 1, "rr_depth": 100}
+    assert_same_light(passes(scene, camera)["FULL"], rendered(scene, path, camera, seed=1))
+
+
+def test_direct_passes_add_up_to_direct_light(stage):
+    ours = passes(stage)
+    assert_same_light(ours["LDE"] + ours["LSE"], rendered(stage, {"type": "direct"}, seed=1))
+
+
+def test_diffuse_passes_add_up_to_two_bounces_where_nothing_shines(stage):
+    matt = {name: Material(m.reflectance) for name, m in stage.materials.items()}
+    scene = stage._replace(materials=matt)
+    ours = passes(scene)
+    assert ours["LSE"].max() == 0
+    two = {"type": "path", "max_depth": 3, "rr_depth": 100}
+    assert_same_light(ours["LDE"] + ours["LDDE"], rendered(scene, two, seed=1))
+
+
+def test_highlights_are_what_a_black_coated_object_reflects(stage):
+    """Without diffuse reflection anywhere, direct light is LSE alone."""
+    black = {name: Material((0, 0, 0), m.roughness) for name, m in stage.materials.items()}
+    scene = stage._replace(materials=black)
+    ours = passes(scene)
+    assert ours["LDE"].max() == ours["LDDE"].max() == 0
+    coat = passes(stage)["LSE"]
+    assert coat.sum() == pytest.approx(ours["LSE"].sum(), rel=0.03)
+    assert ours["LSE"].sum() == pytest.approx(
+        rendered(scene, {"type": "direct"}, seed=1).sum(), rel=0.03
+    )
+
+
+def test_no_pass_exceeds_the_whole(stage):
+    ours = passes(stage)
+    assert (ours["LDE"] + ours["LSE"] + ours["LDDE"] <= ours["FULL"] + 1e-4).all()
+
+
+def test_features_of_a_sphere():
+    """Where the sphere is, what it looks like is known in closed form."""
+    scene = on_stage(sphere())
+    loaded = load(scene, STAGE_VIEW, HEIGHT, WIDTH, 1, {"type": "path"})
+    surface = trace(loaded, scene, STAGE_VIEW, HEIGHT, WIDTH)
+    layers = features(loaded, scene, STAGE_VIEW, surface, np.zeros((HEIGHT, WIDTH, 3)))
+    eye, middle = np.array(STAGE_VIEW.origin), np.array([0, 1, 0])
+    along = ((middle - eye) * surface.directions).sum(axis=-1)
+    reach = along**2 - ((middle - eye) ** 2).sum() + 1
+    hit = reach > 0.02
+    assert (layers["IDMASK"][hit] == (1, 0, 0)).all()
+    assert (layers["IDMASK"][reach < -0.02][:, 0] == 0).all()
+    position = eye + (along - np.sqrt(np.maximum(reach, 0)))[..., None] * surface.directions
+    assert np.abs(layers["POSITION"] - position)[hit].max() < 0.01
+    assert np.abs(layers["NORMAL"] - (position - middle))[hit].max() < 0.02
+    cosine = -(surface.directions * (position - middle)).sum(axis=-1)
+    assert np.abs(layers["FRESNEL"][..., 0] - (0.04 + 0.96 * (1 - cosine) ** 5))[hit].max() < 0.03
+    forward = STAGE_VIEW.axes()[2]
+    assert layers["DEPTH"][..., 0][hit] == pytest.approx(
+        ((position - eye) @ forward)[hit], abs=0.01
+    )
+    assert (layers["LIGHTMASK"].sum(axis=-1) == 1).all()
+    towards = np.array(scene.light.middle) - position
+    dark = hit & ((towards * (position - middle)).sum(axis=-1) < -0.8)
+    assert dark.any()
+    assert (layers["LIGHTMASK"][dark] == (0, 0, 1)).all()
+
+
+@pytest.mark.parametrize("other", [(1, 2), (0, 1)])
+def test_motion_leads_to_the_same_point_within_a_pixel(other):
+    """What is visible in both views: positions there, looked up by the motion field."""
+    height, width = 228, 300
+    scene = house_scene()
+    loaded = load(scene, HOUSE_SOURCE, height, width, 1, {"type": "path"})
+    here = trace(loaded, scene, GRID[1, 1], height, width)
+    there = trace(loaded, scene, GRID[other], height, width)
+    motion, visible = motion_field(loaded, here, GRID[other])
+    y, x = np.mgrid[:height, :width]
+    place = [y + motion[..., 1], x + motion[..., 0]]
+    found = [map_coordinates(there.position[..., c], place, order=1) for c in range(3)]
+    found = GRID[other].project(np.stack(found, axis=-1), height, width)
+    error = np.linalg.norm(found - np.stack(place, axis=-1), axis=-1)
+    seen = visible[..., 0] > 0
+    assert 0.5 < seen.mean() < 0.95
+    # Interpolated positions mean something only within one surface.
+    part = there.part.astype(float)
+    same = seen & (map_coordinates(part, place, order=1, cval=-9) == here.part)
+    normal = [map_coordinates(there.normal[..., c], place, order=1) for c in range(3)]
+    same &= np.linalg.norm(np.stack(normal, axis=-1) - here.normal, axis=-1) < 1e-3
+    assert same.sum() > 0.8 * seen.sum()
+    assert np.quantile(error[same], 0.99) < 0.1
+    assert np.abs(motion[same]).max() > 5
+
+
+def test_hidden_points_are_marked():
+    """The chimney's far side and whatever the house hides is not visible in the other view."""
+    scene = house_scene()
+    loaded = load(scene, HOUSE_SOURCE, HEIGHT, WIDTH, 1, {"type": "path"})
+    here = trace(loaded, scene, GRID[1, 1], HEIGHT, WIDTH)
+    _, same = motion_field(loaded, here, GRID[1, 1])
+    assert (same[..., 0] == (here.part >= 0)).mean() > 0.995  # a view sees what it sees
+    _, far = motion_field(loaded, here, GRID[1, 1]._replace(origin=(-30.0, 6.0, -30.0)))
+    walls = here.part == list(scene.parts).index("walls")
+    assert far[walls].mean() < 0.05
+
+
+def test_a_second_set_has_the_same_bytes_and_resumes(tmp_path):
+    for name in "ab":
+        made = produce(tmp_path / name, (WIDTH, HEIGHT), ["teapot"], samples=4)
+        assert made == ["source", "teapot"]
+    manifests = [Manifest(tmp_path / name) for name in "ab"]
+    assert manifests[0].pieces == manifests[1].pieces
+    assert len(manifests[0].pieces["teapot"]) == 13
+    assert manifests[0].styles == ["crayon", "oil", "pen", "watercolour"]
+
+    (tmp_path / "a" / "teapot" / "LDE.png").unlink()
+    assert produce(tmp_path / "a", (WIDTH, HEIGHT), ["teapot"], samples=4) == ["teapot"]
+    assert produce(tmp_path / "a", (WIDTH, HEIGHT), ["teapot"], samples=4) == []
+    assert Manifest(tmp_path / "a").pieces == manifests[1].pieces
+
+
+def test_an_interrupted_piece_leaves_the_finished_ones(tmp_path, monkeypatch):
+    view = Rendering.view
+
+    def interrupted(self, piece):
+        if piece == "teapot":
+            raise KeyboardInterrupt
+        return view(self, piece)
+
+    monkeypatch.setattr(Rendering, "view", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        produce(tmp_path / "a", (WIDTH, HEIGHT), ["teapot"], samples=4)
+    monkeypatch.undo()
+    assert Manifest(tmp_path / "a").complete("source")
+    assert produce(tmp_path / "a", (WIDTH, HEIGHT), ["teapot"], samples=4) == ["teapot"]
+    assert sorted(file.name for file in (tmp_path / "a").iterdir()) == [
+        "manifest.json", "source", "teapot",
+    ]  # fmt: skip
