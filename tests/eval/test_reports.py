@@ -1,6 +1,7 @@
 """Reports on a tiny scene: what is written, and what is not computed twice."""
 
 import re
+import shutil
 import sys
 
 import numpy as np
@@ -9,11 +10,13 @@ import pytest
 from small_scene import small_scene
 
 import eval.runs
+from data_gen.manifest import Manifest
+from data_gen.models import TARGETS
 from eval.__main__ import main
 from eval.bench import THESIS, timed
 from eval.scenes import BUNDLED, load_scene
 from eval.schedules_report import schedule_ratios
-from stylit_ref import InputError, Params, write_image
+from stylit_ref import InputError, Params, read_uint8, write_image
 
 
 @pytest.fixture
@@ -43,10 +46,55 @@ def test_a_guide_without_its_partner_is_named(folder):
         load_scene(folder)
 
 
-def test_bundled_scene_is_complete():
-    scene = load_scene(BUNDLED)
-    assert scene.guide_names == ("dirdif", "dirspc", "fullgi", "indirb")
-    assert scene.size == "400x304"
+@pytest.mark.parametrize("target", Manifest(BUNDLED).targets)
+def test_bundled_scenes_are_complete(target):
+    for style in ("crayon", "oil", "pen", "watercolour"):
+        scene = load_scene(f"{target}/{style}")
+        assert scene.name == f"{target}_{style}"
+        assert scene.guide_names == ("FULL", "LDE", "LSE", "LDDE", "LD12E")
+        assert scene.size == "300x228"
+        assert scene.style.shape == scene.shown_guide.shape == (228, 300, 3)
+
+
+def test_bundled_data_is_whole():
+    manifest = Manifest(BUNDLED)
+    assert set(manifest.targets) == set(TARGETS)
+    assert all(manifest.complete(piece) for piece in manifest.pieces)
+    motions = [file for file in manifest.pieces["house/motion"] if file.endswith(".exr")]
+    assert len(motions) == 24
+    assert sum(piece.startswith("house/") for piece in manifest.pieces) == 11
+
+
+def test_a_scene_that_is_not_there_is_named():
+    with pytest.raises(InputError, match=r"bunny/oil: is neither a folder nor TARGET/STYLE of"):
+        load_scene("bunny/oil")
+
+
+def test_a_damaged_data_set_is_refused(tmp_path):
+    data = tmp_path / "data"
+    shutil.copytree(BUNDLED, data, ignore=shutil.ignore_patterns("house"))
+    (data / "golem" / "LDE.png").write_bytes((data / "golem" / "FULL.png").read_bytes())
+    with pytest.raises(InputError, match=r"LDE\.png: differs from what manifest\.json says"):
+        load_scene("golem/oil", data)
+    assert load_scene("teapot/oil", data).size == "300x228"
+
+
+def test_scenes_report(tmp_path, monkeypatch, capsys):
+    data = tmp_path / "small"
+    manifest = Manifest.open(data, Manifest(BUNDLED).recipe)
+    for piece in ("source", "teapot"):
+        for file in Manifest(BUNDLED).pieces[piece]:
+            image = read_uint8(BUNDLED / file)[::6, ::6]
+            (data / file).parent.mkdir(parents=True, exist_ok=True)
+            write_image(data / file, np.ascontiguousarray(image))
+        manifest.add(piece)
+    monkeypatch.chdir(tmp_path)
+    assert main(["scenes", "--data", str(data)]) == 0
+    report = tmp_path / "reports" / "scenes_small"
+    assert {file.name for file in report.iterdir()} == {
+        "passes.png", "styles.png", "stylized.png", "scenes.csv", "report.md", "report.html",
+    }  # fmt: skip
+    assert len(pd.read_csv(report / "scenes.csv")) == 4
 
 
 def test_lambda_report(folder, capsys):
@@ -136,7 +184,7 @@ def test_bench_measures_both_programs_alike(folder, capsys, monkeypatch):
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["lambda", "--scene", "none"], "none: no such folder"),
+        (["lambda", "--scene", "none"], "none: is neither a folder nor TARGET/STYLE of"),
         (["lambda", "--scene", "."], "is no scene"),
         (["lambda", "--scene", "small", "--step", "0"], "step is 0"),
         (["bench", "--scene", "small", "--ebsynth", "./none"], "./none: is no program"),
