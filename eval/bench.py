@@ -153,7 +153,8 @@ def bench(scene, folder, ebsynth=None):
         table(shown),
         "Preset fast and ebsynth's defaults: λ = 3500. "
         "Process: the whole program, start to end, with kernels that an earlier process has "
-        "compiled. Synthesis: without start and files (for ebsynth the whole process). "
+        "compiled. Synthesis: without start and files, in a run of its own (for ebsynth the whole "
+        "process). "
         "Image energy: mean δ of the best matches that 30 PatchMatch iterations at λ = 0 find on "
         "the finished image. Richness: high-frequency energy of the image over that of the style.",
         "\n".join([*(_ratios(frame) if ebsynth else []), compilation, _thread_ratio(scene)]),

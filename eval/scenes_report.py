@@ -97,17 +97,21 @@ def _house(manifest, folder):
 
 
 def _stylize(manifest, folder, seed):
-    rows, pictures = [], []
-    pairs = [(target, style) for target in manifest.targets for style in manifest.styles]
-    with tqdm(pairs, unit="scene", disable=None) as bar:
-        for target, style in bar:
-            bar.set_description(f"{target} in {style}")
-            scene = load_scene(f"{target}/{style}", manifest.folder)
-            rows.append({"scene": scene.name, **measure(scene, Params(), seed)})
-            pictures.append((scene.name, run(scene, Params(), seed).image))
-    count = len(manifest.styles)
-    sheet = [pictures[first : first + count] for first in range(0, len(pictures), count)]
-    contact_sheet(folder / "stylized.png", sheet, tile=400)
+    targets, styles = manifest.targets, manifest.styles
+    rows = []
+    sheet = [
+        [(place, read_uint8(manifest.path(f"{place}/FULL.png"))) for place in ("source", *targets)]
+    ]
+    with tqdm(total=len(styles) * len(targets), unit="scene", disable=None) as bar:
+        for style in styles:
+            sheet.append([(style, read_uint8(manifest.path(f"source/styles/{style}.png")))])
+            for target in targets:
+                bar.set_description(f"{target} in {style}")
+                scene = load_scene(f"{target}/{style}", manifest.folder)
+                rows.append({"scene": scene.name, **measure(scene, Params(), seed)})
+                sheet[-1].append(("", run(scene, Params(), seed).image))
+                bar.update()
+    contact_sheet(folder / "stylized.png", sheet, tile=240)
     frame = pd.DataFrame(rows)
     frame.to_csv(folder / "scenes.csv", index=False)
     return frame
