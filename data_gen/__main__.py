@@ -1,6 +1,7 @@
 """Render a data set: ``python -m data_gen``."""
 
 import argparse
+import math
 import re
 import sys
 from pathlib import Path
@@ -20,7 +21,7 @@ def main(arguments=None):
         "--scenes", type=_scenes, default=SCENES,
         help=f"comma-separated, default all: {','.join(SCENES)}; the source is always made",
     )  # fmt: skip
-    parser.add_argument("--samples", type=_count, default=64, help="a pixel, default 64")
+    parser.add_argument("--samples", type=_count, default=64, help="a pixel, a square; default 64")
     parser.add_argument("--folder", type=Path, help="default: build/data/SIZE")
     parser.add_argument(
         "--guides-only", action="store_true", help="no passes.exr, as in the bundled set"
@@ -61,8 +62,12 @@ def _scenes(text):
 
 
 def _count(text):
-    if not text.isdecimal() or not 1 <= int(text) <= 4096:
-        raise argparse.ArgumentTypeError(f"{text} is no number of samples from 1 to 4096")
+    if (
+        not text.isdecimal()
+        or not 1 <= int(text) <= 4096
+        or math.isqrt(int(text)) ** 2 != int(text)
+    ):
+        raise argparse.ArgumentTypeError(f"{text} samples; it must be a square from 1 to 4096")
     return int(text)
 
 

@@ -19,17 +19,15 @@ Heidrich's IDMASK also tells the cast shadow: here it is LIGHTMASK.B outside the
 
 from typing import NamedTuple
 
-import drjit as dr
 import mitsuba as mi
 import numpy as np
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.collections import LineCollection
-from matplotlib.figure import Figure
+
+from data_gen.visibility import sees
+from data_gen.wireframe import wireframe
 
 HIGHLIGHT = 0.5
 _REFLECTANCE_AT_NORMAL = 0.04  # of a dielectric with index 1.5
 _LIGHT_SIDE = 8  # shadow rays on each side of the light
-_NUDGE = 1e-3
 _COLOURS = np.array([(1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 0), (0, 1, 1), (1, 0, 1)], np.float32)
 
 
@@ -113,32 +111,9 @@ def features(rendered, scene, camera, surface, highlights):
         "NORMAL": surface.normal,
         "POSITION": surface.position,
         "DEPTH": np.where(seen, depth[..., None], 0),
-        "WIREFRAME": _wireframe(rendered, scene, camera, *surface.part.shape),
+        "WIREFRAME": wireframe(rendered, scene, camera, *surface.part.shape),
     }
     return {name: layer.astype(np.float32) for name, layer in result.items()}
-
-
-def sees(rendered, position, normal, eye):
-    """Whether a point in space sees points of a surface, from its front.
-
-    Parameters
-    ----------
-    rendered : mitsuba.Scene
-    position, normal : (..., 3) float
-    eye : 3 floats
-
-    Returns
-    -------
-    (...) bool
-    """
-    towards = eye - position
-    facing = (towards * normal).sum(axis=-1) > 0
-    start = mi.Point3f((position + _NUDGE * normal).reshape(-1, 3).T)
-    towards = mi.Point3f(eye) - start
-    distance = dr.norm(towards)
-    ray = mi.Ray3f(start, towards / distance)
-    ray.maxt = distance * (1 - 1e-3)
-    return facing & ~np.array(rendered.ray_test(ray)).reshape(facing.shape)
 
 
 def _light_mask(rendered, scene, surface, highlights):
@@ -152,34 +127,3 @@ def _light_mask(rendered, scene, surface, highlights):
     shine = seen & (highlights.max(axis=-1) > HIGHLIGHT)
     lit = seen & ~shine & (visible >= _LIGHT_SIDE**2 / 2)
     return np.stack([shine, lit, seen & ~shine & ~lit], axis=-1)
-
-
-def _wireframe(rendered, scene, camera, height, width):
-    """Lines of 1/456 of the height, at least one pixel; pieces that the eye sees."""
-    wires = np.concatenate([mesh.wires for mesh in scene.parts.values()]).astype(float)
-    ends = camera.project(wires, height, width)
-    length = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
-    inside = np.isfinite(length) & (ends > -1).any(axis=(1, 2))
-    wires, ends, length = wires[inside], ends[inside], length[inside]
-    pieces = np.maximum(np.ceil(length / 2).astype(int), 1)
-    number = np.repeat(np.arange(len(wires)), pieces)
-    piece = np.arange(len(number)) - np.repeat(np.cumsum(pieces) - pieces, pieces)
-    shares = (piece[:, None] + (0.0, 0.5, 1.0)) / pieces[number][:, None]
-    points = wires[number, :1] + shares[..., None] * (wires[number, 1:] - wires[number, :1])
-    towards_eye = np.asarray(camera.origin) - points[:, 1]
-    towards_eye /= np.linalg.norm(towards_eye, axis=1, keepdims=True)
-    visible = sees(rendered, points[:, 1], 4 * towards_eye, np.asarray(camera.origin))
-    lines = camera.project(points[visible][:, ::2], height, width)[..., ::-1]
-
-    figure = Figure(figsize=(width / 100, height / 100), dpi=100, facecolor="black")
-    canvas = FigureCanvasAgg(figure)
-    axes = figure.add_axes((0, 0, 1, 1))
-    axes.set(xlim=(-0.5, width - 0.5), ylim=(height - 0.5, -0.5))
-    axes.axis("off")
-    points_a_pixel = 72 / figure.dpi
-    thickness = max(1, height / 456) * points_a_pixel
-    axes.add_collection(
-        LineCollection(lines, colors="white", linewidths=thickness, capstyle="round")
-    )
-    canvas.draw()
-    return np.asarray(canvas.buffer_rgba())[..., :1] / 255

@@ -5,30 +5,44 @@ light passes          scene-linear, sRGB curve, clipped at 1
 masks, FRESNEL,       values in [0, 1] as they are
 WIREFRAME
 NORMAL                (n + 1) / 2
-DEPTH                 nearest 1, farthest 0, between the limits of the stage
-POSITION              each axis between the limits of the stage
+DEPTH                 1 at the near limit of the scene, 0 at the far one
+POSITION              each axis between the limits of the scene
 ====================  ====================================================
 
 All round half up. ``stylit-ref`` applies the sRGB curve to every layer of an EXR that it is
 given, so it sees the same values for the light passes only.
 """
 
+from typing import NamedTuple
+
 import numpy as np
 
 LIGHT_PASSES = ("FULL", "LDE", "LSE", "LDDE", "LD12E")
-DEPTHS = (0.0, 30.0)
-"""Limits of the stage along the view, in its units."""
-CORNERS = ((-6.0, 0.0, -6.0), (6.0, 6.0, 6.0))
-"""Limits of the stage along its axes."""
 
 
-def guide(name, layer):
+class Limits(NamedTuple):
+    """Between what DEPTH and POSITION are spread over 8 bits, in the units of the stage."""
+
+    near: float
+    far: float
+    low: tuple
+    high: tuple
+
+
+LIMITS = {
+    "stage": Limits(6.0, 13.5, (-4.0, 0.0, -4.0), (4.0, 5.0, 4.0)),
+    "house": Limits(11.0, 36.0, (-9.0, 0.0, -9.0), (9.0, 7.0, 9.0)),
+}
+
+
+def guide(name, layer, limits=LIMITS["stage"]):
     """A layer as an 8-bit image.
 
     Parameters
     ----------
     name : str
     layer : (H, W, n) float
+    limits : Limits
 
     Returns
     -------
@@ -40,8 +54,8 @@ def guide(name, layer):
     elif name == "NORMAL":
         layer = (layer + 1) / 2
     elif name == "DEPTH":
-        layer = np.where(layer > 0, (DEPTHS[1] - layer) / (DEPTHS[1] - DEPTHS[0]), 0)
+        layer = np.where(layer > 0, (limits.far - layer) / (limits.far - limits.near), 0)
     elif name == "POSITION":
-        low, high = np.array(CORNERS)
+        low, high = np.array(limits.low), np.array(limits.high)
         layer = (layer - low) / (high - low)
     return np.floor(255 * np.clip(layer, 0, 1) + 0.5).astype(np.uint8)

@@ -24,12 +24,14 @@ LONGEST_PATH = 12
 class LightPaths(mi.SamplingIntegrator):
     """Path tracer with multiple importance sampling that returns ``PASSES``.
 
-    Both lobes of a material are sampled at each reflection. The lobe that was drawn
-    decides whether a path goes on as D or S; direct light is evaluated for each lobe.
+    Beside the light that a path carries it keeps the part that met diffuse lobes alone;
+    after one reflection the rest is specular. Albedo and normal of what a path met first
+    come along, averaged over the pixel as light is.
     """
 
     def aov_names(self):
-        return [f"{name}.{channel}" for name in PASSES for channel in "RGB"]
+        layers = [*PASSES, "ALBEDO", "NORMAL"]
+        return [f"{layer}.{channel}" for layer in layers for channel in "RGB"]
 
     @dr.syntax
     def sample(self, scene, sampler, ray, medium=None, active=True):
@@ -37,9 +39,9 @@ class LightPaths(mi.SamplingIntegrator):
         diffuse_lobe.type_mask = mi.BSDFFlags.Diffuse
         ray, active = mi.Ray3f(ray), mi.Bool(active)
         full, lde, lse, ldde = (mi.Spectrum(0) for _ in PASSES)
-        throughput = mi.Spectrum(1)
+        throughput, diffuse_throughput = mi.Spectrum(1), mi.Spectrum(1)
+        albedo, normal = mi.Spectrum(0), mi.Normal3f(0)
         reflections = mi.UInt32(0)  # seen from the eye
-        last_diffuse, all_diffuse = mi.Bool(False), mi.Bool(True)
         last_si, last_pdf = dr.zeros(mi.SurfaceInteraction3f), mi.Float(1)
 
         while active:
@@ -49,11 +51,11 @@ class LightPaths(mi.SamplingIntegrator):
             ds = mi.DirectionSample3f(scene, si, last_si)
             light_pdf = scene.pdf_emitter_direction(last_si, ds, reflections > 0)
             weight = dr.select(reflections > 0, _mis(last_pdf, light_pdf), 1)
-            found = throughput * weight * si.emitter(scene).eval(si, active)
-            full += found
-            lde += dr.select((reflections == 1) & last_diffuse, found, 0)
-            lse += dr.select((reflections == 1) & ~last_diffuse, found, 0)
-            ldde += dr.select((reflections == 2) & all_diffuse, found, 0)
+            found = weight * si.emitter(scene).eval(si, active)
+            full += throughput * found
+            lde += dr.select(reflections == 1, diffuse_throughput * found, 0)
+            lse += dr.select(reflections == 1, (throughput - diffuse_throughput) * found, 0)
+            ldde += dr.select(reflections == 2, diffuse_throughput * found, 0)
 
             active &= si.is_valid() & (reflections < LONGEST_PATH)
 
@@ -64,26 +66,30 @@ class LightPaths(mi.SamplingIntegrator):
             towards_light = si.to_local(ds.d)
             value, bsdf_pdf = bsdf.eval_pdf(both, si, towards_light, lit)
             diffuse_value = bsdf.eval(diffuse_lobe, si, towards_light, lit)
-            light *= throughput * _mis(ds.pdf, bsdf_pdf)
-            full += dr.select(lit, value * light, 0)
-            first = lit & (reflections == 0)
+            light *= _mis(ds.pdf, bsdf_pdf)
+            full += dr.select(lit, throughput * value * light, 0)
+            first, second = lit & (reflections == 0), lit & (reflections == 1)
             lde += dr.select(first, diffuse_value * light, 0)
             lse += dr.select(first, (value - diffuse_value) * light, 0)
-            second = lit & (reflections == 1) & all_diffuse
-            ldde += dr.select(second, diffuse_value * light, 0)
+            ldde += dr.select(second, diffuse_throughput * diffuse_value * light, 0)
+
+            seen = active & (reflections == 0)
+            albedo = dr.select(seen, bsdf.eval_diffuse_reflectance(si, seen), albedo)
+            normal = dr.select(seen, si.sh_frame.n, normal)
 
             sample, value = bsdf.sample(
                 both, si, sampler.next_1d(active), sampler.next_2d(active), active
             )
             throughput *= value
-            last_diffuse = mi.has_flag(sample.sampled_type, mi.BSDFFlags.DiffuseReflection)
-            all_diffuse &= last_diffuse
+            diffuse_value = bsdf.eval(diffuse_lobe, si, sample.wo, active)
+            diffuse_throughput *= dr.select(sample.pdf > 0, diffuse_value / sample.pdf, 0)
             last_si, last_pdf = dr.detach(si, True), sample.pdf
             ray = si.spawn_ray(si.to_world(sample.wo))
             reflections += 1
             active &= dr.any(throughput != 0)
 
-        return full, mi.Bool(True), [c for p in (full, lde, lse, ldde) for c in (p.x, p.y, p.z)]
+        layers = (full, lde, lse, ldde, albedo, normal)
+        return full, mi.Bool(True), [c for layer in layers for c in (layer.x, layer.y, layer.z)]
 
 
 def _mis(pdf, other_pdf):

@@ -3,59 +3,80 @@
 import hashlib
 import json
 import os
+from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 NAME = "manifest.json"
-_MADE_WITH = ("mitsuba", "drjit", "mitsuba-oidn", "numpy", "scipy", "scikit-image", "matplotlib")
+_MADE_WITH = (
+    "mitsuba", "drjit", "mitsuba-oidn", "numpy", "scipy", "scikit-image", "matplotlib",
+    "OpenImageIO", "imageio", "pillow",
+)  # fmt: skip
+_MAKES_NO_BYTES = ("__main__.py", "manifest.py", "produce.py", "renderer.py")
 
 
 class DataError(Exception):
     """A folder does not hold what its manifest says; the message names file and reason."""
 
 
-def recipe(size, samples, seed):
-    """All that decides the bytes of a data set: settings, versions, code."""
-    code = hashlib.sha256()
+def recipe(size, samples, seed, exr):
+    """What decides the bytes of a data set: settings, versions of libraries, code.
+
+    Returns
+    -------
+    dict
+    """
     root = Path(__file__).parent
-    for file in sorted(root.rglob("*.py")):
-        code.update(file.relative_to(root).as_posix().encode())
-        code.update(file.read_bytes())
+    code = hashlib.sha256()
+    for file in sorted(set(root.rglob("*.py")) - {root / name for name in _MAKES_NO_BYTES}):
+        code.update(file.relative_to(root).as_posix().encode() + file.read_bytes())
     return {
         "size": f"{size[0]}x{size[1]}",
         "samples": samples,
         "seed": seed,
+        "exr": exr,
         "versions": {name: _version(name) for name in _MADE_WITH},
         "code": code.hexdigest()[:16],
     }
 
 
+@dataclass
 class Manifest:
-    """The manifest of a folder: its recipe, and the sha256 of each file by piece.
+    """How the files of a folder were made, and what they were.
 
-    Parameters
+    Attributes
     ----------
-    folder : str or Path
-
-    Raises
-    ------
-    DataError
-        If there is none, or it cannot be read.
+    folder : Path
+    recipe : dict
+    pieces : dict of str to dict of str to str
+        Of each piece the sha256 of its files.
     """
 
-    def __init__(self, folder):
-        self.folder = Path(folder)
-        try:
-            content = json.loads((self.folder / NAME).read_text())
-            self.recipe, self.pieces = content["recipe"], content["pieces"]
-        except FileNotFoundError:
-            raise DataError(f"{self.folder}: holds no {NAME}; make it with 'make data'") from None
-        except (ValueError, KeyError, TypeError):
-            raise DataError(f"{self.folder / NAME}: is no manifest of rendered data") from None
+    folder: Path
+    recipe: dict
+    pieces: dict
 
     @classmethod
-    def open(cls, folder, new_recipe):
-        """The manifest of a folder, without the pieces that another recipe made.
+    def read(cls, folder):
+        """The manifest of a folder.
+
+        Raises
+        ------
+        DataError
+            If there is none, or it cannot be read.
+        """
+        folder = Path(folder)
+        try:
+            content = json.loads((folder / NAME).read_text())
+            return cls(folder, content["recipe"], content["pieces"])
+        except FileNotFoundError:
+            raise DataError(f"{folder}: holds no {NAME}; make it with 'make data'") from None
+        except (ValueError, KeyError, TypeError):
+            raise DataError(f"{folder / NAME}: is no manifest of rendered data") from None
+
+    @classmethod
+    def open(cls, folder):
+        """The manifest of a folder to make data in: that it has, or an empty one.
 
         Raises
         ------
@@ -64,15 +85,21 @@ class Manifest:
         """
         folder = Path(folder)
         if (folder / NAME).exists():
-            manifest = cls(folder)
-        elif folder.exists() and any(folder.iterdir()):
+            return cls.read(folder)
+        if folder.exists() and any(folder.iterdir()):
             raise DataError(f"{folder}: holds files and no {NAME}; choose an empty folder")
-        else:
-            manifest = cls.__new__(cls)
-            manifest.folder, manifest.recipe = folder, None
-        if manifest.recipe != new_recipe:
-            manifest.recipe, manifest.pieces = new_recipe, {}
-        return manifest
+        return cls(folder, {}, {})
+
+    @property
+    def targets(self):
+        """Names of the views that are there, apart from the source."""
+        return [piece for piece in self.pieces if piece not in ("source", "house/motion")]
+
+    @property
+    def styles(self):
+        """Names of the styles that are there."""
+        files = map(Path, self.pieces.get("source", ()))
+        return [file.stem for file in files if file.parent.name == "styles"]
 
     def path(self, file):
         """Path of one of its files, which is still what was written.
@@ -91,23 +118,20 @@ class Manifest:
             raise DataError(f"{path}: differs from what {NAME} says; make it anew with 'make data'")
         return path
 
-    @property
-    def targets(self):
-        """Names of the targets that are there, the house apart."""
-        return [piece for piece in self.pieces if piece != "source" and "/" not in piece]
-
-    @property
-    def styles(self):
-        """Names of the styles that are there."""
-        files = map(Path, self.pieces.get("source", ()))
-        return [file.stem for file in files if file.parent.name == "styles"]
-
     def complete(self, piece):
         """Whether all files of a piece are there, unchanged."""
         try:
             return bool([self.path(file) for file in self.pieces[piece]])
         except (KeyError, DataError):
             return False
+
+    def restart(self, new_recipe):
+        """Begin by a recipe: files that another one made are removed."""
+        if self.recipe != new_recipe:
+            for file in [file for files in self.pieces.values() for file in files]:
+                (self.folder / file).unlink(missing_ok=True)
+            self.recipe, self.pieces = new_recipe, {}
+        self.save()
 
     def add(self, piece):
         """Note the files of a finished piece and save."""

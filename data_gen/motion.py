@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from data_gen.features import sees
+from data_gen.visibility import sees
 
 
 def motion_field(rendered, surface, other):

@@ -18,15 +18,13 @@ from skimage.io import imsave
 from tqdm import tqdm
 
 from data_gen.camera import GRID
-from data_gen.guides import guide
+from data_gen.guides import LIMITS, guide
 from data_gen.manifest import Manifest, recipe
 from data_gen.models import TARGETS
 from data_gen.multilayer_exr import write_layers
 from data_gen.renderer import start
-from data_gen.styles import STYLES, subject, to_uint8
 
 SCENES = (*TARGETS, "house")
-PASSES = "passes.exr"
 
 
 def produce(folder, size, scenes=SCENES, samples=64, seed=0, exr=True):
@@ -58,39 +56,44 @@ def produce(folder, size, scenes=SCENES, samples=64, seed=0, exr=True):
         If something has to be rendered and the renderer is not installed.
     """
     folder = Path(folder)
-    manifest = Manifest.open(folder, recipe(size, samples, seed))
-    wanted = [piece for piece in _pieces(scenes) if not manifest.complete(piece)]
-    if not wanted:
+    manifest = Manifest.open(folder)
+    asked = recipe(size, samples, seed, exr)
+    pieces = _pieces(scenes)
+    if manifest.recipe == asked:
+        pieces = [piece for piece in pieces if not manifest.complete(piece)]
+    if not pieces:
         return []
     start()
-    manifest.save()  # from here on the folder is ours
-    from data_gen.rendering import Rendering  # the renderer has to be started first
+    manifest.restart(asked)
+    from data_gen.rendering import Rendering  # imports what start() looks for
 
     rendering = Rendering(size, samples, seed)
-    with tqdm(wanted, unit="piece", disable=None) as bar:
+    with tqdm(pieces, unit="piece", disable=None) as bar:
         for piece in bar:
             bar.set_description(piece)
             partial = folder / "partial"
             shutil.rmtree(partial, ignore_errors=True)
-            partial.mkdir(parents=True)
+            partial.mkdir()
             if piece == "house/motion":
                 for name, layers in rendering.motion():
                     write_layers(partial / f"{name}.exr", layers)
             else:
                 layers = rendering.view(piece)
-                _write_view(partial, layers, exr)
+                _write_view(
+                    partial, layers, LIMITS["house" if piece.startswith("house") else "stage"], exr
+                )
                 if piece == "source":
                     _paint(partial / "styles", layers)
             shutil.rmtree(folder / piece, ignore_errors=True)
             (folder / piece).parent.mkdir(exist_ok=True)
             partial.rename(folder / piece)
             manifest.add(piece)
-    return wanted
+    return pieces
 
 
 def _pieces(scenes):
     pieces = ["source"]
-    for scene in scenes:
+    for scene in dict.fromkeys(scenes):
         if scene == "house":
             views = ("source", *(f"{row}_{column}" for row, column in GRID), "motion")
             pieces += [f"house/{view}" for view in views]
@@ -99,15 +102,17 @@ def _pieces(scenes):
     return pieces
 
 
-def _write_view(folder, layers, exr):
+def _write_view(folder, layers, limits, exr):
     if exr:
-        write_layers(folder / PASSES, layers)
+        write_layers(folder / "passes.exr", layers)
     for name, layer in layers.items():
-        image = guide(name, layer)
+        image = guide(name, layer, limits)
         imsave(folder / f"{name}.png", image.squeeze(), check_contrast=False)
 
 
 def _paint(folder, layers):
+    from data_gen.styles import STYLES, subject, to_uint8  # imports what start() looks for
+
     folder.mkdir()
     seen = subject(layers)
     for name, paint in STYLES.items():

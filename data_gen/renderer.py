@@ -28,15 +28,23 @@ def start():
     if "DRJIT_LIBLLVM_PATH" not in os.environ:
         os.environ["DRJIT_LIBLLVM_PATH"] = _newest_llvm()
     try:
+        import matplotlib  # noqa: F401
         import mitsuba
         import mitsuba_oidn  # noqa: F401
+        import scipy  # noqa: F401
     except ImportError as error:
         raise MissingRendererError(
-            f"rendering needs Mitsuba and Open Image Denoise ({error}): install them with "
+            f"rendering needs packages that are not installed ({error}): install them with "
             f"pip install '.[render]'; {_BUNDLED_WORKS}"
         ) from error
-    mitsuba.set_variant(VARIANT)
-    mitsuba.set_log_level(mitsuba.LogLevel.Error)  # it would remark on sample counts
+    try:
+        mitsuba.set_variant(VARIANT)
+        mitsuba.Float([0.0]) + 1
+    except Exception as error:  # whatever it says of a library that it cannot use
+        raise MissingRendererError(
+            f"rendering cannot use {os.environ['DRJIT_LIBLLVM_PATH']} as LLVM library; name one of "
+            f"version {OLDEST_LLVM} or newer in DRJIT_LIBLLVM_PATH; {_BUNDLED_WORKS}"
+        ) from error
 
 
 def _newest_llvm():
@@ -59,6 +67,6 @@ def _newest_llvm():
 
 
 def _version(path):
-    """Major version in a library's path, -1 where there is none."""
-    numbers = re.findall(r"(?:LLVM[-.](?:so\.)?|llvm[-@])(\d+)", path)
-    return int(numbers[-1]) if numbers else -1
+    """Major version that a library's path tells; one that tells none is taken for recent."""
+    numbers = re.search(r"(?:LLVM-|LLVM\.so\.|llvm-|llvm@)(\d+)", path)
+    return int(numbers[1]) if numbers else OLDEST_LLVM

@@ -35,12 +35,12 @@ class Rendering:
         Returns
         -------
         dict of str to (H, W, n) float32
-            Light passes are scene-linear.
+            Rounded to half floats; light passes are scene-linear.
         """
         scene, _, place = piece.partition("/")
         if scene == "house":
             views = {f"{row}_{column}": camera for (row, column), camera in GRID.items()}
-            return self._layers(house_scene(), views.get(place, HOUSE_SOURCE))
+            return self._layers(house_scene(), (views | {"source": HOUSE_SOURCE})[place])
         model = sphere() if piece == "source" else TARGETS[piece]()
         return self._layers(on_stage(model), STAGE_VIEW)
 
@@ -70,20 +70,25 @@ class Rendering:
     def _layers(self, scene, camera):
         rendered = self.load(scene, camera)
         image = np.array(mi.render(rendered, seed=self.seed))[..., 3:]
-        surface = trace(rendered, scene, camera, self.height, self.width)
-        reflectance = np.array([m.reflectance for m in scene.materials.values()] + [(0, 0, 0)])
-        albedo = reflectance[surface.part].astype(np.float32)
-        light = {
-            name: _denoised(image[..., 3 * k : 3 * k + 3], albedo, surface.normal)
-            for k, name in enumerate(PASSES)
-        }
+        names = (*PASSES, "ALBEDO", "NORMAL")
+        light = {name: image[..., 3 * k : 3 * k + 3] for k, name in enumerate(names)}
+        aux = light.pop("ALBEDO"), light.pop("NORMAL")
+        for name in ("FULL", "LDDE"):  # direct light has little noise to remove
+            light[name] = _denoised(light[name], *aux)
         light["LD12E"] = light["LDE"] + light["LDDE"]
-        return light | features(rendered, scene, camera, surface, light["LSE"])
+        surface = trace(rendered, scene, camera, self.height, self.width)
+        layers = light | features(rendered, scene, camera, surface, light["LSE"])
+        return {name: _half(layer) for name, layer in layers.items()}
 
 
 def _denoised(image, albedo, normal):
     """A light pass without the noise of its samples (Open Image Denoise)."""
-    image = np.ascontiguousarray(image)
+    image, albedo, normal = (np.ascontiguousarray(layer) for layer in (image, albedo, normal))
     return np.maximum(
         oidn.denoise(image, albedo, normal, hdr=True, clean_aux=True, input_scale=1.0), 0
     )
+
+
+def _half(layer):
+    """Values as the file will hold them."""
+    return layer.astype(np.float16).astype(np.float32)

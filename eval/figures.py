@@ -1,5 +1,6 @@
 """Pictures side by side: contact sheets, and comparisons with zoom-ins."""
 
+import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
@@ -26,7 +27,8 @@ def contact_sheet(file, rows, tile=300):
     for places, row in zip(axes, rows, strict=True):
         for place, (title, image) in zip(places, row, strict=False):
             grey = image.shape[2] < 3
-            place.imshow(image[:, :, 0] if grey else image, cmap="gray" if grey else None)
+            shown = np.repeat(image[:, :, :1], 3, axis=2) if grey else image
+            place.imshow(shown)
             place.set_title(title, fontsize=9, pad=3)
     figure.savefig(file)
 

@@ -91,14 +91,14 @@ def load_scene(name, data=BUNDLED, step=1):
     if folder.is_dir():
         return _from_folder(folder, step)
     try:
-        return _from_data_set(str(name), Manifest(data), step)
+        return _from_data_set(str(name), Manifest.read(data), step)
     except DataError as error:
         raise InputError(str(error)) from None
 
 
 def _from_data_set(name, manifest, step):
     targets, styles = manifest.targets, manifest.styles
-    target, _, style = name.partition("/")
+    target, _, style = name.rpartition("/")
     if target not in targets or style not in styles:
         raise InputError(
             f"{name}: is neither a folder nor TARGET/STYLE of {manifest.folder}; targets there: "
@@ -109,7 +109,7 @@ def _from_data_set(name, manifest, step):
         for place in ("source", target)
     )
     style_image = _read(manifest.path(f"source/styles/{style}.png"), step)
-    name = f"{target}_{style}"
+    name = f"{target.replace('/', '_')}_{style}"
     return Scene(name, manifest.folder, LIGHT_PASSES, style_image, sources, guides, step)
 
 

@@ -5,6 +5,7 @@ import pandas as pd
 from tqdm import tqdm
 
 from data_gen.manifest import DataError, Manifest
+from data_gen.models import TARGETS
 from data_gen.multilayer_exr import read_layers
 from eval.figures import contact_sheet
 from eval.measures import DEFINITIONS, formatted, measure
@@ -13,7 +14,7 @@ from eval.runs import run
 from eval.scenes import load_scene
 from stylit_ref import InputError, Params, read_uint8
 
-PASSES = (
+SHOWN = (
     "FULL", "LDE", "LSE", "LDDE", "LD12E", "IDMASK", "LIGHTMASK", "FRESNEL", "NORMAL", "POSITION",
     "DEPTH", "WIREFRAME",
 )  # fmt: skip
@@ -34,7 +35,7 @@ def scenes_report(data, folder, seed=0):
     pandas.DataFrame
     """
     try:
-        manifest = Manifest(data)
+        manifest = Manifest.read(data)
         folder.mkdir(parents=True, exist_ok=True)
         sheets = ["passes", "styles"]
         _passes(manifest, folder)
@@ -65,11 +66,16 @@ def scenes_report(data, folder, seed=0):
     return frame
 
 
+def _targets(manifest):
+    """The targets that are there, in the thesis' order, and one view of the house."""
+    return [target for target in (*TARGETS, "house/source") if target in manifest.targets]
+
+
 def _passes(manifest, folder):
     rows = []
-    for place in ("source", *manifest.targets):
-        images = [read_uint8(manifest.path(f"{place}/{name}.png")) for name in PASSES]
-        titles = [f"{place} {name}" for name in PASSES]
+    for place in ("source", *_targets(manifest)):
+        images = [read_uint8(manifest.path(f"{place}/{name}.png")) for name in SHOWN]
+        titles = [f"{place} {name}" for name in SHOWN]
         rows.append(list(zip(titles, images, strict=True)))
     contact_sheet(folder / "passes.png", rows, tile=240)
 
@@ -97,7 +103,7 @@ def _house(manifest, folder):
 
 
 def _stylize(manifest, folder, seed):
-    targets, styles = manifest.targets, manifest.styles
+    targets, styles = _targets(manifest), manifest.styles
     rows = []
     sheet = [
         [(place, read_uint8(manifest.path(f"{place}/FULL.png"))) for place in ("source", *targets)]

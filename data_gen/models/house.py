@@ -20,7 +20,7 @@ def house():
     """
     parts = {name: [] for name in ("walls", "roof", "glass", "frames", "stone")}
     _wing(parts, (-3.0, 3.0), (-2.0, 2.0), eaves=3.4, ridge=5.2, along=0)
-    _wing(parts, (0.6, 2.8), (1.0, 3.4), eaves=2.9, ridge=4.3, along=2)
+    _wing(parts, (0.6, 2.8), (1.0, 3.4), eaves=3.4, ridge=4.9, along=2)
     _box(parts["stone"], (-2.0, 3.6, -0.8), (-1.3, 6.0, -0.2))  # chimney
     _box(parts["stone"], (-2.1, 6.0, -0.9), (-1.2, 6.15, -0.1))
     _box(parts["stone"], (-3.15, 0.0, -2.15), (3.15, 0.45, 2.15))  # plinth
@@ -30,7 +30,7 @@ def house():
     for x in (-2.2, -1.1, 0.0):
         _window(parts, x, 2.55, 2.0, width=0.7, height=0.7, facing=2)
     _window(parts, 1.7, 1.0, 3.4, width=1.1, height=1.3, facing=2)
-    _window(parts, 1.7, 3.0, 3.4, width=0.5, height=0.6, facing=2)
+    _window(parts, 1.7, 3.15, 3.4, width=0.5, height=0.7, facing=2)
     for z in (-1.1, 0.6):
         _window(parts, z, 1.0, 3.0, width=0.8, height=1.2, facing=0)
         _window(parts, z, 2.55, 3.0, width=0.7, height=0.7, facing=0)

@@ -30,7 +30,7 @@ class Mesh(NamedTuple):
         return slices(self) if self.edges is None else self.edges
 
 
-def slices(mesh, spacing=0.25):
+def slices(mesh, spacing=0.125):
     """Segments in which a surface meets planes of constant x and of constant y.
 
     They give a smooth surface a wireframe that tells its form, the same for any model.

@@ -37,7 +37,7 @@ def teapot(steps=48):
     """Spout to the right; ``steps`` squares along each side of a patch."""
     patches = [_evaluate(points, steps) for points in _control_points()]
     corner = np.arange((steps + 1) ** 2).reshape(steps + 1, steps + 1)
-    square = np.stack([corner[:-1, :-1], corner[:-1, 1:], corner[1:, 1:], corner[1:, :-1]], axis=-1)
+    square = np.stack([corner[:-1, :-1], corner[1:, :-1], corner[1:, 1:], corner[:-1, 1:]], axis=-1)
     faces = np.concatenate([square[..., [0, 1, 2]], square[..., [0, 2, 3]]]).reshape(-1, 3)
     offsets = np.arange(len(patches))[:, None, None] * (steps + 1) ** 2
     vertices, normals = (np.concatenate([patch[k] for patch in patches]) for k in (0, 1))
@@ -50,44 +50,42 @@ def teapot(steps=48):
 
 
 def _control_points():
-    """(4, 4, 3) arrays in the axes of the stage."""
+    """(4, 4, 3) arrays in the axes of the stage; one parameter turns so that all face outwards."""
     for profile in np.array(_PROFILES):
         for sign_x, sign_z in ((1, 1), (-1, 1), (-1, -1), (1, -1)):
             points = np.empty((4, 4, 3))
             points[..., 0] = sign_x * profile[:, :1] * _QUARTER[:, 0]
             points[..., 1] = profile[:, 1:]
             points[..., 2] = sign_z * profile[:, :1] * _QUARTER[:, 1]
-            yield points
+            yield points[:, :: -sign_x * sign_z]
     for rows in np.array(_TUBES):
         for side in (1, -1):
             points = np.empty((4, 4, 3))
             points[:, :2, :2] = rows[:, None, 0:2]
             points[:, 2:, :2] = rows[:, None, 2:4]
             points[..., 2] = side * rows[:, 4:] * (0, 1, 1, 0)
-            yield points
+            yield points[:, ::-side]
 
 
 def _evaluate(points, steps):
     """Positions and unit normals on a grid of parameters."""
-    t = np.linspace(0, 1, steps + 1)[:, None]
-    value = np.concatenate([(1 - t) ** 3, 3 * t * (1 - t) ** 2, 3 * t**2 * (1 - t), t**3], axis=1)
+    t = np.linspace(0, 1, steps + 1)
     inner = np.clip(t, 1e-4, 1 - 1e-4)  # at the poles a derivative vanishes
-    at = np.concatenate(
-        [(1 - inner) ** 3, 3 * inner * (1 - inner) ** 2, 3 * inner**2 * (1 - inner), inner**3],
-        axis=1,
-    )
-    slope = np.concatenate(
-        [
-            -3 * (1 - inner) ** 2,
-            3 * (1 - inner) * (1 - 3 * inner),
-            3 * inner * (2 - 3 * inner),
-            3 * inner**2,
-        ],
-        axis=1,
-    )
+    value, at, slope = _bernstein(t), _bernstein(inner), _bernstein_slope(inner)
     position = np.einsum("ui,vj,ijk->uvk", value, value, points).reshape(-1, 3)
     normal = np.cross(
         np.einsum("ui,vj,ijk->uvk", slope, at, points),
         np.einsum("ui,vj,ijk->uvk", at, slope, points),
     ).reshape(-1, 3)
     return position, normal / np.linalg.norm(normal, axis=1, keepdims=True)
+
+
+def _bernstein(t):
+    """The four cubic Bernstein polynomials at each t, (N, 4)."""
+    return np.stack([(1 - t) ** 3, 3 * t * (1 - t) ** 2, 3 * t**2 * (1 - t), t**3], axis=1)
+
+
+def _bernstein_slope(t):
+    lower = np.stack([(1 - t) ** 2, 2 * t * (1 - t), t**2], axis=1)
+    zero = np.zeros((len(t), 1))
+    return 3 * (np.hstack([zero, lower]) - np.hstack([lower, zero]))

@@ -3,9 +3,9 @@
 import numpy as np
 from skimage.filters import gaussian
 
+from data_gen.lines import draw_lines
 from data_gen.styles.painting import (
     at,
-    draw_strokes,
     palette,
     paper_grain,
     scattered,
@@ -48,7 +48,7 @@ def crayon(subject, seed=7):
         keep = inside | (rng.uniform(size=count) < 0.05)
         widths = unit * thickness * rng.uniform(0.6, 1.3, keep.sum())
         layers.append((lines[keep], colours[keep], widths, opacity))
-    picture = draw_strokes(np.broadcast_to(_PAPER, (*shape, 3)), layers)
+    picture = draw_lines(np.broadcast_to(_PAPER, (*shape, 3)), layers)
     # Wax skips the valleys of the paper, more so where little of it was laid on.
     skipped = paper_grain(rng, shape) < 0.05 + 0.11 * tone * (subject.shine < 0.3)
     skipped = 0.75 * gaussian(skipped.astype(float), 0.4)[..., None]

@@ -3,7 +3,8 @@
 import numpy as np
 from skimage.filters import gaussian
 
-from data_gen.styles.painting import at, draw_strokes, noise, palette, scattered, streamlines
+from data_gen.lines import draw_lines
+from data_gen.styles.painting import at, noise, palette, scattered, streamlines
 
 _OBJECT = ((0.16, 0.07, 0.20), (0.36, 0.10, 0.20), (0.66, 0.20, 0.12), (0.86, 0.46, 0.13),
            (0.97, 0.78, 0.34))  # fmt: skip
@@ -24,7 +25,7 @@ def oil(subject, seed=11):
     swirl = 0.9 * noise(rng, shape, 260 * unit) - 0.4
     angles = np.where(on_object, subject.form, np.where(on_wall, swirl, 0.12 * swirl))
     region = on_object + 2 * on_wall
-    layers, relief = [], []
+    layers = []
     for spacing, reach, thickness in ((20, 130, 40), (13, 80, 24), (9, 46, 13)):
         starts = scattered(rng, shape, spacing * unit)
         painted, walled = at(on_object, starts), at(on_wall, starts)
@@ -47,11 +48,11 @@ def oil(subject, seed=11):
         lines = streamlines(dabs, angles, unit * rng.uniform(10, 34, 40), 3, rng.normal(0, 0.3, 40))
         shades = _SHINE + rng.normal(0, 0.03, (40, 1))
         layers += _bristles(rng, lines, shades, unit * 9)
-    picture = draw_strokes(np.broadcast_to(_GROUND[1], (*shape, 3)), layers)
+    picture = draw_lines(np.broadcast_to(_GROUND[1], (*shape, 3)), layers)
     # The ridges that bristles leave catch light from above.
     thick = picture.mean(axis=-1) - gaussian(picture.mean(axis=-1), 2.5 * max(unit, 0.7))
     slope = gaussian(thick, 0.5)
-    relief = slope - np.roll(slope, (1, 1), axis=(0, 1))
+    relief = slope - np.pad(slope, ((1, 0), (1, 0)), mode="edge")[:-1, :-1]
     return picture + 1.1 * relief[..., None] + 0.25 * thick[..., None]
 
 
@@ -69,4 +70,4 @@ def _bristles(rng, lines, colours, width):
         shade = colours * (1 + rng.normal(0, 0.07, (len(lines), 1)))
         widths = width / _BRISTLES * rng.uniform(1.0, 1.9, len(lines))
         layers.append((hairs, shade, widths, 0.92))
-    return [tuple(layer) for layer in layers]
+    return layers

@@ -1,12 +1,9 @@
-"""What every painter here uses: palettes, rasterized strokes, noise and paper.
+"""What every painter here uses: palettes, curves, noise and paper.
 
-Strokes are rasterized by matplotlib's Agg; colours are sRGB in [0, 1].
+Colours are sRGB in [0, 1].
 """
 
 import numpy as np
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.collections import LineCollection
-from matplotlib.figure import Figure
 from skimage.filters import gaussian
 from skimage.transform import resize
 
@@ -15,41 +12,6 @@ def palette(colours, tones):
     """Colours from dark to light at tones in [0, 1]."""
     steps = np.linspace(0, 1, len(colours))
     return np.stack([np.interp(tones, steps, np.array(colours)[:, c]) for c in range(3)], axis=-1)
-
-
-def draw_strokes(picture, layers):
-    """Draw strokes over a picture, one layer after another.
-
-    Parameters
-    ----------
-    picture : (H, W, 3) float
-    layers : list of (lines, colours, widths, opacity)
-        ``lines`` (N, K, 2) float, K points (x, y) each in pixels; ``colours`` (N, 3)
-        float; ``widths`` (N,) float, pixels; ``opacity`` float.
-
-    Returns
-    -------
-    (H, W, 3) float
-    """
-    height, width = picture.shape[:2]
-    figure = Figure(figsize=(width / 100, height / 100), dpi=100)
-    canvas = FigureCanvasAgg(figure)
-    axes = figure.add_axes((0, 0, 1, 1))
-    axes.imshow(picture, extent=(-0.5, width - 0.5, height - 0.5, -0.5), interpolation="none")
-    axes.set(xlim=(-0.5, width - 0.5), ylim=(height - 0.5, -0.5))
-    axes.axis("off")
-    points_a_pixel = 72 / figure.dpi
-    for lines, colours, widths, opacity in layers:
-        strokes = LineCollection(
-            lines,
-            colors=np.clip(colours, 0, 1),
-            linewidths=points_a_pixel * widths,
-            alpha=opacity,
-            capstyle="round",
-        )
-        axes.add_collection(strokes, autolim=False)
-    canvas.draw()
-    return np.asarray(canvas.buffer_rgba())[..., :3] / 255
 
 
 def streamlines(starts, direction, length, steps, bend=0.0):

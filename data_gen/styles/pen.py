@@ -4,7 +4,8 @@ import numpy as np
 from skimage.filters import gaussian
 from skimage.measure import find_contours
 
-from data_gen.styles.painting import at, draw_strokes, noise, palette, scattered, streamlines
+from data_gen.lines import draw_lines
+from data_gen.styles.painting import at, noise, palette, scattered, streamlines
 
 _PAPER = np.array((0.975, 0.955, 0.90))
 _INK = ((0.07, 0.07, 0.16), (0.16, 0.13, 0.26), (0.34, 0.18, 0.20))
@@ -30,7 +31,7 @@ def pen(subject, seed=31):
         angles = np.where(on_object, subject.form + turn, flat) + wobble
         layers.append(_hatching(rng, darkness, region, angles, threshold, unit))
     layers += _outline(rng, subject, unit)
-    picture = draw_strokes(np.broadcast_to(_PAPER, (*shape, 3)), layers)
+    picture = draw_lines(np.broadcast_to(_PAPER, (*shape, 3)), layers)
     fibre = gaussian(rng.standard_normal(shape), 0.6)
     return picture * (1 + 0.035 * fibre / fibre.std())[..., None]
 

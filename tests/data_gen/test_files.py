@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from data_gen.guides import guide
-from data_gen.manifest import DataError, Manifest
+from data_gen.manifest import DataError, Manifest, recipe
 from data_gen.multilayer_exr import read_layers, write_layers
 from stylit_ref import read_uint8
 
@@ -44,20 +44,21 @@ def test_light_guides_are_what_the_program_reads_from_the_exr(tmp_path):
         ("FULL", [0, 0.0031308, 0.2140411, 1, 7], [0, 10, 127, 255, 255]),
         ("IDMASK", [0, 0.5, 1], [0, 128, 255]),
         ("NORMAL", [-1, 0, 1], [0, 128, 255]),
-        ("DEPTH", [0, 30, 15, 40], [0, 0, 128, 0]),
+        ("DEPTH", [0, 13.5, 9.75, 6, 40], [0, 0, 128, 255, 0]),
     ],
 )
 def test_transfer(name, values, expected):
     assert guide(name, np.array(values, float)).tolist() == expected
 
 
-RECIPE = {"size": "3x3", "samples": 1, "seed": 0, "versions": {}, "code": "x"}
+RECIPE = {"size": "3x3", "samples": 1, "seed": 0, "exr": True, "versions": {}, "code": "x"}
 
 
 @pytest.fixture
 def folder(tmp_path):
     """A data set of one target with one file and one style."""
-    manifest = Manifest.open(tmp_path / "set", RECIPE)
+    manifest = Manifest.open(tmp_path / "set")
+    manifest.restart(RECIPE)
     for file in ("teapot/FULL.png", "source/FULL.png", "source/styles/oil.png"):
         path = tmp_path / "set" / file
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -68,7 +69,7 @@ def folder(tmp_path):
 
 
 def test_manifest_knows_what_is_there(folder):
-    manifest = Manifest(folder)
+    manifest = Manifest.read(folder)
     assert manifest.recipe == RECIPE
     assert manifest.targets == ["teapot"]
     assert manifest.styles == ["oil"]
@@ -80,39 +81,54 @@ def test_manifest_knows_what_is_there(folder):
 def test_a_changed_file_is_noticed(folder):
     (folder / "teapot" / "FULL.png").write_bytes(b"other")
     with pytest.raises(DataError, match=r"FULL\.png: differs from what manifest\.json says"):
-        Manifest(folder).path("teapot/FULL.png")
-    assert not Manifest(folder).complete("teapot")
+        Manifest.read(folder).path("teapot/FULL.png")
+    assert not Manifest.read(folder).complete("teapot")
 
 
 def test_a_missing_file_is_noticed(folder):
     (folder / "teapot" / "FULL.png").unlink()
     with pytest.raises(DataError, match=r"FULL\.png: is missing, though manifest\.json lists it"):
-        Manifest(folder).path("teapot/FULL.png")
+        Manifest.read(folder).path("teapot/FULL.png")
 
 
 def test_an_unknown_file_is_named(folder):
     with pytest.raises(DataError, match=r"knows no golem/FULL\.png"):
-        Manifest(folder).path("golem/FULL.png")
+        Manifest.read(folder).path("golem/FULL.png")
 
 
 @pytest.mark.parametrize("content", ["", "[]", json.dumps({"pieces": {}})])
 def test_a_broken_manifest_is_refused(tmp_path, content):
     (tmp_path / "manifest.json").write_text(content)
     with pytest.raises(DataError, match="is no manifest of rendered data"):
-        Manifest(tmp_path)
+        Manifest.read(tmp_path)
 
 
 def test_no_manifest_is_said(tmp_path):
     with pytest.raises(DataError, match=r"holds no manifest\.json"):
-        Manifest(tmp_path)
+        Manifest.read(tmp_path)
 
 
-def test_another_recipe_keeps_nothing(folder):
-    assert Manifest.open(folder, RECIPE).complete("teapot")
-    assert Manifest.open(folder, RECIPE | {"samples": 2}).pieces == {}
+def test_another_recipe_removes_what_the_first_one_made(folder):
+    (folder / "notes.txt").write_text("mine")
+    manifest = Manifest.open(folder)
+    manifest.restart(RECIPE)
+    assert manifest.complete("teapot")
+    manifest.restart(RECIPE | {"samples": 2})
+    assert Manifest.read(folder).pieces == {}
+    left = {file.name for file in folder.rglob("*") if file.is_file()}
+    assert left == {"manifest.json", "notes.txt"}
+
+
+@pytest.mark.parametrize(
+    "other", [{"size": (4, 3)}, {"samples": 4}, {"seed": 1}, {"exr": False}], ids=str
+)
+def test_a_recipe_tells_settings_apart(other):
+    settings = {"size": (3, 3), "samples": 1, "seed": 0, "exr": True}
+    assert recipe(**settings) == recipe(**settings)
+    assert recipe(**settings) != recipe(**settings | other)
 
 
 def test_a_folder_of_somebody_else_is_refused(tmp_path):
     (tmp_path / "source").mkdir()
     with pytest.raises(DataError, match="choose an empty folder"):
-        Manifest.open(tmp_path, RECIPE)
+        Manifest.open(tmp_path)

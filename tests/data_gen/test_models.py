@@ -34,7 +34,7 @@ def test_normals_are_units_that_agree_with_the_faces(mesh):
     faces = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     agree = (faces * mesh.normals[mesh.faces].mean(axis=1)).sum(axis=1)
     area = np.linalg.norm(faces, axis=1)
-    assert np.abs(np.sign(agree) @ area) > 0.999 * area.sum()
+    assert np.sign(agree) @ area > 0.999 * area.sum()
 
 
 @pytest.mark.parametrize("name", sorted(set(TARGETS) - {"teapot"}))
@@ -56,6 +56,22 @@ def test_teapot_has_newells_proportions():
     assert (low[1], high[1]) == (0, height)
     # handle to spout 6.45 units, floor to knob 3.15; seen 20 degrees from the side
     assert 6.0 < length / height * 3.15 < 6.6
+
+
+def test_teapot_faces_outwards():
+    """Away from the axis on the body; away from the middle of each ring on handle and spout."""
+    mesh = teapot(steps=8)
+    patches = mesh.vertices.reshape(32, 9, 9, 3)
+    normals = mesh.normals.reshape(32, 9, 9, 3)
+    rim = patches[:4].reshape(-1, 3)
+    away = patches[4:12] - (rim.min(axis=0) + rim.max(axis=0)) / 2
+    assert ((away * normals[4:12])[..., [0, 2]].sum(axis=-1) > 0).all()
+    for pair in range(24, 32, 2):
+        middle = patches[pair : pair + 2].mean(axis=(0, 2), keepdims=True)
+        inside = np.s_[pair : pair + 2, :, 1:-1]  # the seams' normals point along the seam's plane
+        assert ((patches[pair : pair + 2] - middle)[:, :, 1:-1] * normals[inside]).sum(
+            -1
+        ).mean() > 0
 
 
 def test_house_fits_all_views_and_its_polygons_look_outwards():

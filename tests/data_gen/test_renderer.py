@@ -1,5 +1,7 @@
 """What is said where the renderer is missing."""
 
+import os
+import subprocess
 import sys
 
 import pytest
@@ -58,12 +60,39 @@ def test_one_sentence_and_nothing_written(no_llvm, tmp_path, capsys):
 
 
 @pytest.mark.parametrize(
+    ("path", "version"),
+    [
+        ("/usr/lib/x86_64-linux-gnu/libLLVM-15.so.1", 15),
+        ("/usr/lib/x86_64-linux-gnu/libLLVM.so.19.1", 19),
+        ("/usr/lib/llvm-19/lib/libLLVM.so.1", 19),
+        ("/opt/homebrew/opt/llvm@18/lib/libLLVM.dylib", 18),
+        ("/opt/homebrew/opt/llvm/lib/libLLVM.dylib", data_gen.renderer.OLDEST_LLVM),
+    ],
+)
+def test_versions_in_paths(path, version):
+    assert data_gen.renderer._version(path) == version
+
+
+def test_a_library_that_is_none_is_named(tmp_path):
+    """In a process of its own: the renderer looks for the library once."""
+    command = [sys.executable, "-m", "data_gen", "--size", "30x20", "--folder", f"{tmp_path}/set"]
+    environment = os.environ | {"DRJIT_LIBLLVM_PATH": f"{tmp_path}/none.so"}
+    pytest.importorskip("mitsuba")
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+    assert done.returncode == 2
+    last = done.stderr.strip().splitlines()[-1]
+    assert last.startswith(f"data_gen: rendering cannot use {tmp_path}/none.so as LLVM library")
+    assert not (tmp_path / "set").exists()
+
+
+@pytest.mark.parametrize(
     ("arguments", "message"),
     [
         (["--size", "300"], "300 is no size"),
         (["--size", "8x8"], "16 to 8192"),
         (["--scenes", "teapot,bunny"], "no scene bunny"),
-        (["--samples", "0"], "no number of samples"),
+        (["--samples", "0"], "must be a square"),
+        (["--samples", "50"], "must be a square"),
     ],
 )
 def test_bad_arguments(capsys, arguments, message):

@@ -14,14 +14,18 @@ except MissingRendererError as error:
 import mitsuba as mi
 
 from data_gen.camera import GRID, HOUSE_SOURCE, STAGE_VIEW
-from data_gen.features import features, trace
+from data_gen.features import HIGHLIGHT, features, trace
 from data_gen.light_paths import LONGEST_PATH, PASSES
 from data_gen.manifest import Manifest
-from data_gen.models import sphere, teapot
+from data_gen.models import sphere
+from data_gen.models.mesh import polygons
+from data_gen.models.teapot import teapot
 from data_gen.motion import motion_field
 from data_gen.produce import produce
 from data_gen.rendering import Rendering
 from data_gen.stage import Material, house_scene, load, on_stage
+from data_gen.visibility import sees
+from data_gen.wireframe import wireframe
 
 HEIGHT, WIDTH = 46, 60
 SAMPLES = 1024
@@ -38,7 +42,7 @@ def rendered(scene, integrator, camera=STAGE_VIEW, seed=0):
 
 
 def passes(scene, camera=STAGE_VIEW):
-    image = rendered(scene, {"type": "light_paths"}, camera)[..., 3:]
+    image = rendered(scene, {"type": "light_paths"}, camera)[..., 3:]  # after the film's own
     return {name: image[..., 3 * k : 3 * k + 3] for k, name in enumerate(PASSES)}
 
 
@@ -66,22 +70,28 @@ def test_diffuse_passes_add_up_to_two_bounces_where_nothing_shines(stage):
     matt = {name: Material(m.reflectance) for name, m in stage.materials.items()}
     scene = stage._replace(materials=matt)
     ours = passes(scene)
-    assert ours["LSE"].max() == 0
+    assert np.abs(ours["LSE"]).max() < 1e-9
     two = {"type": "path", "max_depth": 3, "rr_depth": 100}
     assert_same_light(ours["LDE"] + ours["LDDE"], rendered(scene, two, seed=1))
 
 
-def test_highlights_are_what_a_black_coated_object_reflects(stage):
-    """Without diffuse reflection anywhere, direct light is LSE alone."""
-    black = {name: Material((0, 0, 0), m.roughness) for name, m in stage.materials.items()}
-    scene = stage._replace(materials=black)
-    ours = passes(scene)
-    assert ours["LDE"].max() == ours["LDDE"].max() == 0
-    coat = passes(stage)["LSE"]
-    assert coat.sum() == pytest.approx(ours["LSE"].sum(), rel=0.03)
-    assert ours["LSE"].sum() == pytest.approx(
-        rendered(scene, {"type": "direct"}, seed=1).sum(), rel=0.03
-    )
+def test_highlights_have_the_colour_of_the_light(stage):
+    ours = passes(stage)["LSE"]
+    assert ours.max() > 0.3
+    assert np.ptp(ours, axis=-1).max() < 1e-4 * ours.max()
+
+
+def test_lobes_are_split_by_what_they_reflect(stage):
+    """Colours of a glossy object: what two red surfaces send on is red squared."""
+    ours = passes(stage)
+    on_object = ours["LDE"][..., 0] > 20 * ours["LDE"][..., 1]
+    assert on_object.mean() > 0.05
+    red, green = stage.materials["object"].reflectance[:2]
+    ratio = ours["LDE"][on_object].sum(axis=0)
+    # nonlinearity of the coat aside, direct light has the ratio of the reflectances
+    assert ratio[1] / ratio[0] == pytest.approx(green / red, rel=0.1)
+    indirect = ours["LDDE"][on_object].sum(axis=0)
+    assert indirect[1] / indirect[0] < 1.6 * green / red + 0.02
 
 
 def test_no_pass_exceeds_the_whole(stage):
@@ -143,23 +153,71 @@ def test_motion_leads_to_the_same_point_within_a_pixel(other):
     assert np.abs(motion[same]).max() > 5
 
 
-def test_hidden_points_are_marked():
-    """The chimney's far side and whatever the house hides is not visible in the other view."""
+def test_a_view_sees_what_it_sees():
     scene = house_scene()
     loaded = load(scene, HOUSE_SOURCE, HEIGHT, WIDTH, 1, {"type": "path"})
     here = trace(loaded, scene, GRID[1, 1], HEIGHT, WIDTH)
-    _, same = motion_field(loaded, here, GRID[1, 1])
-    assert (same[..., 0] == (here.part >= 0)).mean() > 0.995  # a view sees what it sees
-    _, far = motion_field(loaded, here, GRID[1, 1]._replace(origin=(-30.0, 6.0, -30.0)))
-    walls = here.part == list(scene.parts).index("walls")
-    assert far[walls].mean() < 0.05
+    _, visible = motion_field(loaded, here, GRID[1, 1])
+    assert (visible[..., 0] == (here.part >= 0)).mean() > 0.995
+
+
+def test_what_stands_between_hides():
+    """Ground behind the sphere faces the eye, inside the picture, and is not seen."""
+    scene = on_stage(sphere())
+    loaded = load(scene, STAGE_VIEW, HEIGHT, WIDTH, 1, {"type": "path"})
+    ground = np.array([(0.0, 0.0, -1.6), (0.0, 0.0, 2.0), (2.5, 0.0, -1.6)])
+    up = np.tile((0.0, 1.0, 0.0), (3, 1))
+    seen = sees(loaded, ground, up, np.array(STAGE_VIEW.origin))
+    assert seen.tolist() == [False, True, True]
+    assert not sees(loaded, ground, -up, np.array(STAGE_VIEW.origin)).any()
+
+
+def test_the_renderer_has_the_same_camera(stage):
+    """Where the renderer sees the red object is where rays of our camera meet it."""
+    image = passes(stage)["LDDE"]
+    loaded = load(stage, STAGE_VIEW, HEIGHT, WIDTH, 1, {"type": "path"})
+    surface = trace(loaded, stage, STAGE_VIEW, HEIGHT, WIDTH)
+    red = image[..., 0] > 3 * image[..., 1]
+    assert (red == (surface.part == 0)).mean() > 0.97
+
+
+def test_highlights_are_masked_where_they_are_bright():
+    scene = on_stage(sphere())
+    loaded = load(scene, STAGE_VIEW, HEIGHT, WIDTH, 1, {"type": "path"})
+    surface = trace(loaded, scene, STAGE_VIEW, HEIGHT, WIDTH)
+    highlights = np.zeros((HEIGHT, WIDTH, 3), np.float32)
+    highlights[20:23, 28:32] = HIGHLIGHT + 0.1
+    highlights[24:26, 28:32] = HIGHLIGHT - 0.1
+    mask = features(loaded, scene, STAGE_VIEW, surface, highlights)["LIGHTMASK"]
+    assert mask[..., 0].sum() == 12
+    assert mask[20:23, 28:32, 0].all()
+
+
+def test_wires_are_drawn_where_they_are_seen():
+    """Three squares facing the eye: one behind another is not drawn, the third is."""
+    corners = np.array([(-0.8, 0, 0), (0.8, 0, 0), (0.8, 1.6, 0), (-0.8, 1.6, 0)])
+    places = np.array([(-1, 0.3, 1.0), (-1, 0.6, 0.0), (1.2, 0.6, 0.0)])
+    front, behind, aside = corners + places[0], *(0.5 * corners + place for place in places[1:])
+    scene = on_stage(polygons([front, behind, aside]))
+    loaded = load(scene, STAGE_VIEW, 228, 300, 1, {"type": "path"})
+    drawn = wireframe(loaded, scene, STAGE_VIEW, 228, 300)[..., 0]
+
+    def on(square, shift=0.0):
+        middles = (square + np.roll(square, -1, axis=0)) / 2
+        at = np.round(STAGE_VIEW.project(middles, 228, 300) + shift).astype(int)
+        return drawn[at[:, 0], at[:, 1]]
+
+    assert (on(front) > 0.3).all()
+    assert (on(aside) > 0.3).all()
+    assert (on(behind) < 0.05).all()
+    assert (on(front, 4.0) < 0.05).all()
 
 
 def test_a_second_set_has_the_same_bytes_and_resumes(tmp_path):
     for name in "ab":
         made = produce(tmp_path / name, (WIDTH, HEIGHT), ["teapot"], samples=4)
         assert made == ["source", "teapot"]
-    manifests = [Manifest(tmp_path / name) for name in "ab"]
+    manifests = [Manifest.read(tmp_path / name) for name in "ab"]
     assert manifests[0].pieces == manifests[1].pieces
     assert len(manifests[0].pieces["teapot"]) == 13
     assert manifests[0].styles == ["crayon", "oil", "pen", "watercolour"]
@@ -167,7 +225,7 @@ def test_a_second_set_has_the_same_bytes_and_resumes(tmp_path):
     (tmp_path / "a" / "teapot" / "LDE.png").unlink()
     assert produce(tmp_path / "a", (WIDTH, HEIGHT), ["teapot"], samples=4) == ["teapot"]
     assert produce(tmp_path / "a", (WIDTH, HEIGHT), ["teapot"], samples=4) == []
-    assert Manifest(tmp_path / "a").pieces == manifests[1].pieces
+    assert Manifest.read(tmp_path / "a").pieces == manifests[1].pieces
 
 
 def test_an_interrupted_piece_leaves_the_finished_ones(tmp_path, monkeypatch):
@@ -182,7 +240,7 @@ def test_an_interrupted_piece_leaves_the_finished_ones(tmp_path, monkeypatch):
     with pytest.raises(KeyboardInterrupt):
         produce(tmp_path / "a", (WIDTH, HEIGHT), ["teapot"], samples=4)
     monkeypatch.undo()
-    assert Manifest(tmp_path / "a").complete("source")
+    assert Manifest.read(tmp_path / "a").complete("source")
     assert produce(tmp_path / "a", (WIDTH, HEIGHT), ["teapot"], samples=4) == ["teapot"]
     assert sorted(file.name for file in (tmp_path / "a").iterdir()) == [
         "manifest.json", "source", "teapot",
