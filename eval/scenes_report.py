@@ -36,29 +36,29 @@ def scenes_report(data, folder, seed=0):
     """
     try:
         manifest = Manifest.read(data)
+        targets = [target for target in TARGETS if target in manifest.targets]
+        house = [view for view in ("house/source",) if view in manifest.targets]
         folder.mkdir(parents=True, exist_ok=True)
-        sheets = ["passes", "styles"]
-        _passes(manifest, folder)
-        contact_sheet(
-            folder / "styles.png",
-            [[(s, read_uint8(manifest.path(f"source/styles/{s}.png"))) for s in manifest.styles]],
-            tile=600,
-        )
-        if "house/motion" in manifest.pieces:
-            sheets.append("house")
-            _house(manifest, folder)
+        _passes(manifest, ["source", *targets, *house], folder / "passes.png")
+        contact_sheet(folder / "styles.png", [_styles(manifest)], tile=600)
+        if house:
+            _house(manifest, folder / "house.png")
     except DataError as error:
         raise InputError(str(error)) from None
-    frame = _stylize(manifest, folder, seed)
+    rows = _stylize(manifest, targets, seed, folder / "stylized.png")
+    if house:
+        rows += _stylize(manifest, house, seed, folder / "stylized_house.png")
+    frame = pd.DataFrame(rows)
+    frame.to_csv(folder / "scenes.csv", index=False)
     made = manifest.recipe
-    size = made["size"]
     versions = ", ".join(f"{name} {number}" for name, number in made["versions"].items())
     write_report(
         folder,
-        f"Scenes and styles, {size}",
+        f"Scenes and styles, {made['size']}",
         [
             f"Rendered with {made['samples']} samples a pixel, seed {made['seed']}; {versions}.",
-            *[f"![{sheet}]({sheet}.png)" for sheet in [*sheets, "stylized"]],
+            *[f"![{sheet}]({sheet}.png)" for sheet in ("passes", "styles", "stylized")],
+            *[_HOUSE] * bool(house),
             table(formatted(frame)),
             DEFINITIONS,
         ],
@@ -66,21 +66,30 @@ def scenes_report(data, folder, seed=0):
     return frame
 
 
-def _targets(manifest):
-    """The targets that are there, in the thesis' order, and one view of the house."""
-    return [target for target in (*TARGETS, "house/source") if target in manifest.targets]
+_HOUSE = """\
+![house](house.png)
+
+The house shares neither colours nor light with the red object on the white stage, so in the
+sphere's styles its patches find no counterpart: a style for it has to be painted over its own
+source view.
+
+![house in the sphere's styles](stylized_house.png)"""
 
 
-def _passes(manifest, folder):
+def _styles(manifest):
+    return [(s, read_uint8(manifest.path(f"source/styles/{s}.png"))) for s in manifest.styles]
+
+
+def _passes(manifest, places, file):
     rows = []
-    for place in ("source", *_targets(manifest)):
+    for place in places:
         images = [read_uint8(manifest.path(f"{place}/{name}.png")) for name in SHOWN]
         titles = [f"{place} {name}" for name in SHOWN]
         rows.append(list(zip(titles, images, strict=True)))
-    contact_sheet(folder / "passes.png", rows, tile=240)
+    contact_sheet(file, rows, tile=240)
 
 
-def _house(manifest, folder):
+def _house(manifest, file):
     """The grid, some passes of the source view, and the middle view's motion fields."""
     rows = [
         [
@@ -99,25 +108,21 @@ def _house(manifest, folder):
         motion = np.concatenate([layers["MOTION"], np.zeros_like(layers["VISIBLE"])], axis=2)
         shown = (0.5 + 0.5 * motion / np.abs(motion).max()) * layers["VISIBLE"]
         row.append((f"motion {name}", np.floor(255 * shown + 0.5).astype(np.uint8)))
-    contact_sheet(folder / "house.png", rows)
+    contact_sheet(file, rows)
 
 
-def _stylize(manifest, folder, seed):
-    targets, styles = _targets(manifest), manifest.styles
-    rows = []
-    sheet = [
-        [(place, read_uint8(manifest.path(f"{place}/FULL.png"))) for place in ("source", *targets)]
-    ]
-    with tqdm(total=len(styles) * len(targets), unit="scene", disable=None) as bar:
-        for style in styles:
-            sheet.append([(style, read_uint8(manifest.path(f"source/styles/{style}.png")))])
+def _stylize(manifest, targets, seed, file):
+    """Every target in every style: a row of numbers each, and a sheet of the images."""
+    renders = [(t, read_uint8(manifest.path(f"{t}/FULL.png"))) for t in ["source", *targets]]
+    rows, sheet = [], [renders]
+    with tqdm(total=len(manifest.styles) * len(targets), unit="scene", disable=None) as bar:
+        for style in _styles(manifest):
+            sheet.append([style])
             for target in targets:
-                bar.set_description(f"{target} in {style}")
-                scene = load_scene(f"{target}/{style}", manifest.folder)
+                bar.set_description(f"{target} in {style[0]}")
+                scene = load_scene(f"{target}/{style[0]}", manifest.folder)
                 rows.append({"scene": scene.name, **measure(scene, Params(), seed)})
                 sheet[-1].append(("", run(scene, Params(), seed).image))
                 bar.update()
-    contact_sheet(folder / "stylized.png", sheet, tile=240)
-    frame = pd.DataFrame(rows)
-    frame.to_csv(folder / "scenes.csv", index=False)
-    return frame
+    contact_sheet(file, sheet, tile=240)
+    return rows
