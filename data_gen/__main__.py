@@ -54,7 +54,7 @@ def _size(text):
 
 
 def _scenes(text):
-    scenes = text.split(",")
+    scenes = [name.strip() for name in text.split(",") if name.strip()]
     unknown = sorted(set(scenes) - set(SCENES))
     if unknown:
         raise argparse.ArgumentTypeError(f"no scene {', '.join(unknown)}; {', '.join(SCENES)}")

@@ -72,7 +72,9 @@ class Manifest:
         except FileNotFoundError:
             raise DataError(f"{folder}: holds no {NAME}; make it with 'make data'") from None
         except (ValueError, KeyError, TypeError):
-            raise DataError(f"{folder / NAME}: is no manifest of rendered data") from None
+            raise DataError(
+                f"{folder / NAME}: is no manifest of rendered data; remove the folder to begin anew"
+            ) from None
 
     @classmethod
     def open(cls, folder):
@@ -113,7 +115,7 @@ class Manifest:
         if expected is None:
             raise DataError(f"{self.folder}: its {NAME} knows no {file}")
         if not path.is_file():
-            raise DataError(f"{path}: is missing, though {NAME} lists it")
+            raise DataError(f"{path}: is missing, though {NAME} lists it; make it with 'make data'")
         if _digest(path) != expected:
             raise DataError(f"{path}: differs from what {NAME} says; make it anew with 'make data'")
         return path

@@ -348,6 +348,18 @@ class TestRefusals:
             assert name in message or "float64" in message
 
 
+def test_replay_in_a_process_of_its_own(scene):
+    """With nothing compiled before it, in the process or on disk."""
+    folder, style, *_ = scene
+    nnf = np.stack(np.mgrid[2:38, 2:44], axis=-1).astype(np.int32)
+    np.save(folder / "nnf.npy", nnf)
+    command = [sys.executable, "-m", "stylit_ref.cli", "replay", "--nnf", f"{folder / 'nnf.npy'}"]
+    command += ["--style", f"{folder / 'style.png'}", "--output", f"{folder / 'out.png'}"]
+    environment = os.environ | {"NUMBA_CACHE_DIR": str(folder / "kernels")}
+    subprocess.run(command, check=True, env=environment)
+    np.testing.assert_array_equal(read_image(folder / "out.png"), style[2:38, 2:44])
+
+
 def test_interruption_leaves_nothing(scene):
     """Ctrl-C in the middle of the work: code 130, one sentence, no output.
 

@@ -22,19 +22,22 @@ def replay_vote(style, means, nnf, patch_width, scale):
     height, width = nnf.shape[:2]
     radius = patch_width // 2
     for fine_y in prange(means.shape[0]):
-        totals = np.zeros(style.shape[2], np.float64)
         y, offset_y = fine_y // scale, fine_y % scale
         for fine_x in range(means.shape[1]):
             x, offset_x = fine_x // scale, fine_x % scale
-            totals[:] = 0
             votes = 0
             for near_y in range(max(y - radius, 0), min(y + radius + 1, height)):
                 for near_x in range(max(x - radius, 0), min(x + radius + 1, width)):
-                    if nnf[near_y, near_x, 0] >= 0:
-                        source_y = (nnf[near_y, near_x, 0] - (near_y - y)) * scale + offset_y
-                        source_x = (nnf[near_y, near_x, 1] - (near_x - x)) * scale + offset_x
-                        for c in range(style.shape[2]):
-                            totals[c] += style[source_y, source_x, c]
-                        votes += 1
+                    if nnf[near_y, near_x, 0] < 0:
+                        continue
+                    source_y = (nnf[near_y, near_x, 0] - (near_y - y)) * scale + offset_y
+                    source_x = (nnf[near_y, near_x, 1] - (near_x - x)) * scale + offset_x
+                    for c in range(style.shape[2]):
+                        value = np.float64(style[source_y, source_x, c])
+                        means[fine_y, fine_x, c] = (
+                            means[fine_y, fine_x, c] + value if votes else value
+                        )
+                    votes += 1
             if votes:
-                means[fine_y, fine_x] = totals / votes
+                for c in range(style.shape[2]):
+                    means[fine_y, fine_x, c] /= votes
