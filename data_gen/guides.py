@@ -58,4 +58,9 @@ def guide(name, layer, limits=LIMITS["stage"]):
     elif name == "POSITION":
         low, high = np.array(limits.low), np.array(limits.high)
         layer = (layer - low) / (high - low)
-    return np.floor(255 * np.clip(layer, 0, 1) + 0.5).astype(np.uint8)
+    return to_uint8(layer)
+
+
+def to_uint8(image):
+    """Values in [0, 1] on 8 bits, rounded half up."""
+    return np.floor(255 * np.clip(image, 0, 1) + 0.5).astype(np.uint8)

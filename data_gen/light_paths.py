@@ -17,12 +17,14 @@ import drjit as dr
 import mitsuba as mi
 
 PASSES = ("FULL", "LDE", "LSE", "LDDE")
+LAYERS = (*PASSES, "ALBEDO", "NORMAL")
+"""What a render holds: the passes, and what the denoiser reads beside them."""
 LONGEST_PATH = 12
 """Reflections after which a path ends; in a scene open on four sides little light is left."""
 
 
 class LightPaths(mi.SamplingIntegrator):
-    """Path tracer with multiple importance sampling that returns ``PASSES``.
+    """Path tracer with multiple importance sampling that returns ``LAYERS``.
 
     Beside the light that a path carries it keeps the part that met diffuse lobes alone;
     after one reflection the rest is specular. Albedo and normal of what a path met first
@@ -30,8 +32,7 @@ class LightPaths(mi.SamplingIntegrator):
     """
 
     def aov_names(self):
-        layers = [*PASSES, "ALBEDO", "NORMAL"]
-        return [f"{layer}.{channel}" for layer in layers for channel in "RGB"]
+        return [f"{layer}.{channel}" for layer in LAYERS for channel in "RGB"]
 
     @dr.syntax
     def sample(self, scene, sampler, ray, medium=None, active=True):

@@ -18,7 +18,7 @@ from skimage.io import imsave
 from tqdm import tqdm
 
 from data_gen.camera import GRID
-from data_gen.guides import LIMITS, guide
+from data_gen.guides import LIMITS, guide, to_uint8
 from data_gen.manifest import Manifest, recipe
 from data_gen.models import TARGETS
 from data_gen.multilayer_exr import write_layers
@@ -111,7 +111,7 @@ def _write_view(folder, layers, limits, exr):
 
 
 def _paint(folder, layers):
-    from data_gen.styles import STYLES, subject, to_uint8  # imports what start() looks for
+    from data_gen.styles import STYLES, subject  # imports what start() looks for
 
     folder.mkdir()
     seen = subject(layers)

@@ -6,7 +6,7 @@ import numpy as np
 
 from data_gen.camera import GRID, HOUSE_SOURCE, STAGE_VIEW
 from data_gen.features import features, trace
-from data_gen.light_paths import PASSES, LightPaths
+from data_gen.light_paths import LAYERS, LightPaths
 from data_gen.models import TARGETS, sphere
 from data_gen.motion import motion_field
 from data_gen.stage import house_scene, load, on_stage
@@ -53,7 +53,7 @@ class Rendering:
             ``0_0_to_0_1`` and its layers.
         """
         scene = house_scene()
-        loaded = self.load(scene, HOUSE_SOURCE)
+        loaded = self._load(scene, HOUSE_SOURCE)
         for (row, column), camera in GRID.items():
             surface = trace(loaded, scene, camera, self.height, self.width)
             for down, right in ((0, -1), (0, 1), (-1, 0), (1, 0)):
@@ -63,15 +63,14 @@ class Rendering:
                     name = "{}_{}_to_{}_{}".format(row, column, *other)
                     yield name, {"MOTION": motion, "VISIBLE": visible}
 
-    def load(self, scene, camera, integrator="light_paths"):
-        """The renderer's form of a scene and a view, with one of its integrators."""
-        return load(scene, camera, self.height, self.width, self.samples, {"type": integrator})
+    def _load(self, scene, camera):
+        integrator = {"type": "light_paths"}
+        return load(scene, camera, self.height, self.width, self.samples, integrator)
 
     def _layers(self, scene, camera):
-        rendered = self.load(scene, camera)
+        rendered = self._load(scene, camera)
         image = np.array(mi.render(rendered, seed=self.seed))[..., 3:]
-        names = (*PASSES, "ALBEDO", "NORMAL")
-        light = {name: image[..., 3 * k : 3 * k + 3] for k, name in enumerate(names)}
+        light = {name: image[..., 3 * k : 3 * k + 3] for k, name in enumerate(LAYERS)}
         aux = light.pop("ALBEDO"), light.pop("NORMAL")
         for name in ("FULL", "LDDE"):  # direct light has little noise to remove
             light[name] = _denoised(light[name], *aux)

@@ -11,7 +11,7 @@ import mitsuba as mi
 import numpy as np
 
 from data_gen.models.house import ground, house
-from data_gen.models.mesh import polygons
+from data_gen.models.mesh import backdrop
 
 
 class Light(NamedTuple):
@@ -67,8 +67,8 @@ def on_stage(model):
     return Scene(
         parts={
             "object": model,
-            "ground": _backdrop([left + front, right + front, right, left]),
-            "wall": _backdrop([left, right, right + up, left + up]),
+            "ground": backdrop([left + front, right + front, right, left]),
+            "wall": backdrop([left, right, right + up, left + up]),
         },
         materials={
             "object": Material((0.80, 0.012, 0.012), roughness=0.09),
@@ -155,10 +155,6 @@ def _shape(name, mesh, material):
         values["vertex_normals"] = mesh.normals.ravel()
     values.update()
     return shape
-
-
-def _backdrop(corners):
-    return polygons([corners])._replace(edges=np.zeros((0, 2, 3), np.float32))
 
 
 def _grey(value):

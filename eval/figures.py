@@ -26,9 +26,7 @@ def contact_sheet(file, rows, tile=300):
         place.axis("off")
     for places, row in zip(axes, rows, strict=True):
         for place, (title, image) in zip(places, row, strict=False):
-            grey = image.shape[2] < 3
-            shown = np.repeat(image[:, :, :1], 3, axis=2) if grey else image
-            place.imshow(shown)
+            place.imshow(_in_colour(image))
             place.set_title(title, fontsize=9, pad=3)
     figure.savefig(file)
 
@@ -60,17 +58,19 @@ def comparison(file, rows, zoom):
                 top + int(zoom[2] * image.shape[0]),
                 left + int(zoom[3] * image.shape[1]),
             )
-            cmap = "gray" if image.shape[2] < 3 else None
-            image = image[:, :, 0] if cmap else image
-            axes[2 * k, column].imshow(image, cmap=cmap, interpolation="none")
+            image = _in_colour(image)
+            axes[2 * k, column].imshow(image, interpolation="none")
             axes[2 * k, column].set_title(title, fontsize=11)
             axes[2 * k, column].add_patch(
                 Rectangle((left, top), right - left, bottom - top, fill=False, color="lime")
             )
-            axes[2 * k + 1, column].imshow(
-                image[top:bottom, left:right], cmap=cmap, interpolation="nearest"
-            )
+            axes[2 * k + 1, column].imshow(image[top:bottom, left:right], interpolation="nearest")
     figure.savefig(file, dpi=150)
+
+
+def _in_colour(image):
+    """A grey image as it is: with one channel its tones would be stretched."""
+    return np.repeat(image[:, :, :1], 3, axis=2) if image.shape[2] < 3 else image
 
 
 def detailed_window(weights, share=0.25):

@@ -1,4 +1,4 @@
-"""Scenes: a style, its guides, and a target's guides, in one folder."""
+"""Scenes: a style, its guides, and a target's guides; from a folder or a data set."""
 
 import hashlib
 from dataclasses import dataclass

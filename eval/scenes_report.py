@@ -4,6 +4,7 @@ import numpy as np
 import pandas as pd
 from tqdm import tqdm
 
+from data_gen.guides import to_uint8
 from data_gen.manifest import DataError, Manifest
 from data_gen.models import TARGETS
 from data_gen.multilayer_exr import read_layers
@@ -37,7 +38,7 @@ def scenes_report(data, folder, seed=0):
     try:
         manifest = Manifest.read(data)
         targets = [target for target in TARGETS if target in manifest.targets]
-        house = [view for view in ("house/source",) if view in manifest.targets]
+        house = ["house/source"] if "house/source" in manifest.targets else []
         folder.mkdir(parents=True, exist_ok=True)
         _passes(manifest, ["source", *targets, *house], folder / "passes.png")
         contact_sheet(folder / "styles.png", [_styles(manifest)], tile=600)
@@ -107,7 +108,7 @@ def _house(manifest, file):
         layers = read_layers(manifest.path(f"house/motion/{name}.exr"))
         motion = np.concatenate([layers["MOTION"], np.zeros_like(layers["VISIBLE"])], axis=2)
         shown = (0.5 + 0.5 * motion / np.abs(motion).max()) * layers["VISIBLE"]
-        row.append((f"motion {name}", np.floor(255 * shown + 0.5).astype(np.uint8)))
+        row.append((f"motion {name}", to_uint8(shown)))
     contact_sheet(file, rows)
 
 

@@ -3,9 +3,7 @@
 Built of flat polygons, in parts that differ in material and identity. One unit is a metre.
 """
 
-import numpy as np
-
-from data_gen.models.mesh import polygons
+from data_gen.models.mesh import backdrop, polygons
 
 _STEPS = 4
 
@@ -42,7 +40,7 @@ def house():
 def ground(half=150.0):
     """The lawn around it."""
     corners = [(-half, 0, half), (half, 0, half), (half, 0, -half), (-half, 0, -half)]
-    return polygons([corners])._replace(edges=np.zeros((0, 2, 3), np.float32))
+    return backdrop(corners)
 
 
 def _box(faces, low, high):

@@ -85,6 +85,11 @@ def polygons(faces):
     )
 
 
+def backdrop(corners):
+    """A polygon that belongs to no model: its edges are not drawn."""
+    return polygons([corners])._replace(edges=np.zeros((0, 2, 3), np.float32))
+
+
 def turned(mesh, degrees):
     """A smooth mesh turned about the y axis, its front towards the right."""
     angle = np.radians(degrees)

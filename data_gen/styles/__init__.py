@@ -2,11 +2,10 @@
 
 from data_gen.styles.crayon import crayon
 from data_gen.styles.oil import oil
-from data_gen.styles.painting import to_uint8
 from data_gen.styles.pen import pen
 from data_gen.styles.subject import subject
 from data_gen.styles.watercolour import watercolour
 
 STYLES = {"crayon": crayon, "oil": oil, "watercolour": watercolour, "pen": pen}
 
-__all__ = ["STYLES", "subject", "to_uint8"]
+__all__ = ["STYLES", "subject"]

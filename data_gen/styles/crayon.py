@@ -26,7 +26,7 @@ def crayon(subject, seed=7):
     rng = np.random.default_rng(seed)
     shape, unit = subject.light.shape, subject.unit
     on_object = subject.object > 0.5
-    tone = np.clip(0.85 * subject.light + 0.15 * subject.bounce, 0, 1)
+    tone, bounced = subject.tone, subject.reflected
     angles = np.where(on_object, 0.75 * subject.form, -0.9)
     layers = []
     for spacing, reach, thickness, opacity in (
@@ -39,7 +39,7 @@ def crayon(subject, seed=7):
         lines = streamlines(starts, angles, length, 2, rng.normal(0, 0.16, count))
         shade = np.clip(at(tone, starts) + rng.normal(0, 0.06, count), 0, 1)
         colours = np.where(painted[:, None], palette(_OBJECT, shade), palette(_GROUND, shade))
-        reflected = painted * at(subject.bounce * (1 - subject.light), starts) ** 2
+        reflected = painted * at(bounced, starts) ** 2
         colours += 0.6 * reflected[:, None] * (_BOUNCE - colours)
         colours += (at(subject.shine, starts) > 0.45)[:, None] * (_SHINE - colours)
         colours += rng.normal(0, 0.05, (count, 3))

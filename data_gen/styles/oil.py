@@ -21,7 +21,7 @@ def oil(subject, seed=11):
     rng = np.random.default_rng(seed)
     shape, unit = subject.light.shape, subject.unit
     on_object, on_wall = subject.object > 0.5, subject.wall > 0.5
-    tone = np.clip(0.85 * subject.light + 0.15 * subject.bounce, 0, 1)
+    tone, bounced = subject.tone, subject.reflected
     swirl = 0.9 * noise(rng, shape, 260 * unit) - 0.4
     angles = np.where(on_object, subject.form, np.where(on_wall, swirl, 0.12 * swirl))
     region = on_object + 2 * on_wall
@@ -35,7 +35,7 @@ def oil(subject, seed=11):
         shade = np.clip(at(tone, starts) + rng.normal(0, 0.05, count), 0, 1)
         colours = np.where(walled[:, None], palette(_WALL, shade), palette(_GROUND, shade))
         colours = np.where(painted[:, None], palette(_OBJECT, shade), colours)
-        reflected = painted * at(subject.bounce * (1 - subject.light), starts) ** 2
+        reflected = painted * at(bounced, starts) ** 2
         colours += 0.7 * reflected[:, None] * (_BOUNCE - colours)
         colours += rng.normal(0, 0.035, (count, 3))
         ends = at(region, lines[:, [0, -1]]) == at(region, starts)[:, None]

@@ -75,7 +75,3 @@ def paper_grain(rng, shape):
     fine = gaussian(rng.standard_normal(shape), 0.5)
     tooth = fine / fine.std() + 0.6 * noise(rng, shape, 4.0)
     return np.argsort(np.argsort(tooth.ravel())).reshape(shape) / tooth.size
-
-
-def to_uint8(picture):
-    return np.floor(255 * np.clip(picture, 0, 1) + 0.5).astype(np.uint8)

@@ -34,6 +34,16 @@ class Subject(NamedTuple):
     form: np.ndarray
 
     @property
+    def tone(self):
+        """How bright a painter takes each place for: mostly direct light."""
+        return np.clip(0.85 * self.light + 0.15 * self.bounce, 0, 1)
+
+    @property
+    def reflected(self):
+        """Where bounce light shows: the less direct light, the more."""
+        return self.bounce * (1 - self.light)
+
+    @property
     def unit(self):
         """Pixels of a thin stroke: it shrinks with the picture, but not without end."""
         return max(self.light.shape[0] / 912, 0.45)

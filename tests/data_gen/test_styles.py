@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from data_gen.styles import STYLES, subject, to_uint8
+from data_gen.guides import to_uint8
+from data_gen.styles import STYLES, subject
 
 HEIGHT, WIDTH = 228, 300
 
