@@ -120,9 +120,9 @@ def check_range(packing, params, source_size, target_patches):
             f"fixed-point value with patches of width {params.patch_width}",
             stacklevel=3,
         )
-    largest_delta = patch_pixels * 255**2 * int(packing.weights.sum())
-    largest_phi = weight * patch_pixels * target_patches + largest_delta
-    if largest_phi * BOUND_SCALE >= 1 << 62:
+    largest_phi = weight * patch_pixels * target_patches + packing.largest_delta(params.patch_width)
+    factor = max(BOUND_SCALE, patch_pixels) if params.method == "guide_map" else BOUND_SCALE
+    if largest_phi * factor >= 1 << 62:
         raise InputError(
             f"uniformity {params.uniformity:g} with guide influence {params.guide_influence:g} "
             "overflows 64-bit integers on images of this size; choose smaller ones"

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from stylit_ref.formulae.bounded_metric import Textures
+from stylit_ref.formulae.guide_map import sums_dtype
+from stylit_ref.formulae.textures import Textures
 from stylit_ref.packing import ONE, occurrence_weight
 
 
@@ -28,19 +29,22 @@ class Level:
 
     def __init__(self, passes, packing, params, source, target, synthesized):
         self.passes, self.packing = passes, packing
-        self.patch_width = params.patch_width
+        self.patch_width, self.vote_outliers = params.patch_width, params.vote_outliers
+        with_guide_map = params.method == "guide_map"
         radius = self.patch_width // 2
         height, width = target.shape[:2]
         padded = np.pad(target, ((radius, radius), (radius, radius), (0, 0)), mode="edge")
         self.textures = Textures(
             source=source,
             target=padded,
-            source_moments=_zeros_from_a_cache_line(*source.shape[:2], len(packing.moments)),
-            target_moments=_zeros_from_a_cache_line(height, width, len(packing.moments)),
+            source_moments=zeros_from_a_cache_line(*source.shape[:2], len(packing.moments)),
+            target_moments=zeros_from_a_cache_line(height, width, len(packing.moments)),
             weights=packing.weights,
             pair_weights=packing.pair_weights,
-            moment_weights=packing.moment_weights(self.patch_width),
+            moment_weights=packing.moment_weights(self.patch_width, with_guide_map),
         )
+        if with_guide_map:
+            self._add_guide_map(params.epsilon)
         style = packing.style_channel, packing.style_channels
         passes.patch_moments(source, self.textures.source_moments, self.patch_width, radius, *style)
         passes.patch_moments(padded, self.textures.target_moments, self.patch_width, 0, *style)
@@ -54,6 +58,28 @@ class Level:
             self.patch_width,
             source.shape[0] * source.shape[1],
             np.count_nonzero(synthesized),
+        )
+
+    def _add_guide_map(self, epsilon):
+        """Evaluate_Means and Evaluate_Map (5.2.2): guides stay as they are all through a level."""
+        source, target, radius = self.textures.source, self.textures.target, self.patch_width // 2
+        size = target.shape[0] - 2 * radius, target.shape[1] - 2 * radius
+        guides, dtype = self.packing.style_channel, sums_dtype(self.patch_width)
+        self.textures = self.textures._replace(
+            guide_map=np.empty(size, bool),
+            source_sums=np.zeros((*source.shape[:2], guides), dtype),
+            target_sums=np.zeros((*size, guides), dtype),
+            style_pair_weights=self.packing.style_pair_weights,
+        )
+        self.passes.means(source, self.textures.source_sums, self.patch_width, radius)
+        self.passes.means(target, self.textures.target_sums, self.patch_width, 0)
+        self.passes.guide_map(
+            target,
+            self.textures.target_sums,
+            self.packing.weights,
+            self.patch_width,
+            epsilon,
+            self.textures.guide_map,
         )
 
     @property
@@ -78,6 +104,7 @@ class Level:
             self.patch_width,
             self.packing.style_channel,
             self.packing.style_channels,
+            self.vote_outliers,
         )
         self.update_similarity()
 
@@ -102,7 +129,7 @@ class Level:
         return delta / ONE, self.occurrence_weight * omega_sum / ONE
 
 
-def _zeros_from_a_cache_line(*shape):
+def zeros_from_a_cache_line(*shape):
     """An int16 array of zeros whose first element starts a cache line."""
     line = 64 // 2
     size = int(np.prod(shape))

@@ -57,6 +57,13 @@ class Packing:
         return self.weights.reshape(-1, 2).max(axis=1).astype(np.uint32)
 
     @property
+    def style_pair_weights(self):
+        """The same without the guides', (channels / 2,) uint32."""
+        weights = self.pair_weights
+        weights[: self.style_channel // 2] = 0
+        return weights
+
+    @property
     def moments(self):
         """What each lane of a patch's moments holds: channel and degrees, or None for nothing.
 
@@ -69,17 +76,25 @@ class Packing:
             lanes += [(channel, degree) for channel in style for degree in degrees]
         return (*lanes, *[None] * (-len(lanes) % LINE_LANES))
 
-    def moment_weights(self, patch_width):
+    def moment_weights(self, patch_width, guide_map=False):
         """Weights of neighbouring lanes in the bound of δ, (lanes / 2,) uint32.
 
-        Rounded down: the bound stays one.
+        Rounded down: the bound stays one. Of the δ of a guide map, which compares the
+        guides of whole patches by their means, the means of a part are no bound.
         """
         width = moment_width(patch_width)
+        guides_bound = width == patch_width or not guide_map
         weights = [
-            BOUND_SCALE * int(self.weights[lane[0]]) // squared_norm(width, lane[1]) if lane else 0
+            BOUND_SCALE * int(self.weights[lane[0]]) // squared_norm(width, lane[1])
+            if lane and (guides_bound or lane[0] >= self.style_channel)
+            else 0
             for lane in self.moments
         ]
         return np.array(weights).reshape(-1, 2).max(axis=1).astype(np.uint32)
+
+    def largest_delta(self, patch_width):
+        """What no δ exceeds, fixed point."""
+        return patch_width**2 * 255**2 * int(self.weights.sum())
 
     def pack(self, guides, style=None):
         """Lay guides and style side by side.

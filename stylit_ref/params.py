@@ -8,6 +8,7 @@ import numpy as np
 
 from stylit_ref.errors import InputError
 
+Method = Literal["ref", "guide_map", "stylit"]
 Schedule = Literal["propose_commit", "scanline"]
 
 
@@ -17,6 +18,9 @@ class Params:
 
     Attributes
     ----------
+    method : {"ref", "guide_map", "stylit"}
+        Texture optimization with an occurrence map (thesis 2, 3); the same with guide maps
+        (5.2, :mod:`stylit_ref.formulae.guide_map`); StyLit (1.5, :mod:`stylit_ref.stylit`).
     patch_width : int
         w, odd, in pixels (4.1: 5).
     levels : int
@@ -35,7 +39,22 @@ class Params:
         A factor for each guide's share of μ; 1 for every guide by default.
     schedule : {"propose_commit", "scanline"}
         How PatchMatch proceeds and when Ω changes
-        (:mod:`stylit_ref.patchmatch`).
+        (:mod:`stylit_ref.patchmatch`); ``scanline`` is for ``ref`` alone.
+    vote_outliers : int
+        t, the votes farthest from a pixel's mean that do not count (Hauptfleisch 2.4.1:
+        3 to 5); 0 for the plain mean.
+    epsilon : float
+        ``guide_map``: ε, in squared 8-bit steps (5.2.4: about 100). Guides of target patches
+        that vary by less are compared by their means; 0 for none.
+    budget : "hyperbola" or float
+        ``stylit``: how the error budget is found (:mod:`stylit_ref.error_budget`): at the knee
+        of a fitted hyperbola, or as a share of the sum of all errors (Hauptfleisch 4.1.2: 0.9).
+    fixed_share : float
+        ``stylit``: share of the target's patches that source-to-target retrieval fixes before
+        a target-to-source one takes over.
+    error_limit : float, optional
+        ``stylit``: α. A patch is not fixed with an error above α times that of the best source
+        patch found for it (Hauptfleisch 2.4.1: 5).
 
     Raises
     ------
@@ -43,6 +62,7 @@ class Params:
         If a value is out of range.
     """
 
+    method: Method = "ref"
     patch_width: int = 5
     levels: int = 6
     votes: int | tuple[int, ...] = 6
@@ -51,8 +71,17 @@ class Params:
     guide_influence: float = 2.0
     guide_weights: tuple[float, ...] | None = None
     schedule: Schedule = "propose_commit"
+    vote_outliers: int = 0
+    epsilon: float = 100.0
+    budget: Literal["hyperbola"] | float = "hyperbola"
+    fixed_share: float = 0.95
+    error_limit: float | None = None
 
     def __post_init__(self):
+        if self.method not in METHODS:
+            raise InputError(
+                f"method is {self.method!r}; it must be 'ref', 'guide_map' or 'stylit'"
+            )
         width = self.patch_width
         if not isinstance(width, Integral) or width % 2 == 0 or not 3 <= width <= 63:
             raise InputError(f"patch_width is {width}; it must be an odd integer from 3 to 63")
@@ -76,6 +105,27 @@ class Params:
             raise InputError(
                 f"schedule is {self.schedule!r}; it must be 'propose_commit' or 'scanline'"
             )
+        if self.schedule == "scanline" and self.method != "ref":
+            raise InputError(
+                f"schedule is 'scanline' and method {self.method!r}; it goes with 'ref' alone"
+            )
+        most = width**2 - 1
+        if not isinstance(self.vote_outliers, Integral) or not 0 <= self.vote_outliers <= most:
+            raise InputError(
+                f"vote_outliers is {self.vote_outliers}; it must be an integer from 0 to {most}, "
+                f"for patches of width {width}"
+            )
+        _check_weight("epsilon", self.epsilon)
+        if self.budget != "hyperbola":
+            _check_share("budget", self.budget, "'hyperbola' or a share ")
+        _check_share("fixed_share", self.fixed_share, "a share ")
+        if self.error_limit is not None and not (
+            isinstance(self.error_limit, Real) and 1 <= self.error_limit <= LARGEST_WEIGHT
+        ):
+            raise InputError(
+                f"error_limit is {self.error_limit}; it must be a number from 1 to "
+                f"{LARGEST_WEIGHT:g}"
+            )
 
     def votes_above(self, depth):
         """Votes of the level ``depth`` levels above the finest, coarser ones lying above."""
@@ -94,6 +144,16 @@ Votes at coarse levels cost little and settle most of what the finest shows, so 
 them there.
 """
 
+METHODS = ("ref", "guide_map", "stylit")
+HEEDED_BY = {
+    "uniformity": ("ref", "guide_map"),
+    "epsilon": ("guide_map",),
+    "budget": ("stylit",),
+    "fixed_share": ("stylit",),
+    "error_limit": ("stylit",),
+}
+"""The methods that heed a parameter, where not all of them do."""
+
 LARGEST_WEIGHT = 1e12
 
 
@@ -105,3 +165,8 @@ def _check_count(name, value, most):
 def _check_weight(name, value):
     if not isinstance(value, Real) or not 0 <= value <= LARGEST_WEIGHT:
         raise InputError(f"{name} is {value}; it must be a number from 0 to {LARGEST_WEIGHT:g}")
+
+
+def _check_share(name, value, what):
+    if not isinstance(value, Real) or not 0 < value <= 1:
+        raise InputError(f"{name} is {value!r}; it must be {what}above 0 and up to 1")

@@ -32,6 +32,7 @@ The canonical iteration, to the last choice:
 """
 
 from stylit_ref.formulae.random_stream import COMMIT_ORDER, RANDOM_SEARCH, random_stream
+from stylit_ref.search import SearchStep
 
 PROPAGATION_DISTANCES = (4, 2, 1)
 """Jump flood distances (thesis 3.3)."""
@@ -76,3 +77,24 @@ def scanline(level, seed, level_number, vote, iteration):
 
 
 SCHEDULES = {"propose_commit": propose_commit, "scanline": scanline}
+
+
+def search(level, params, seed, level_number, vote):
+    """PatchMatch of thesis 2.3: as many iterations as ``params`` say, from target to source.
+
+    Parameters
+    ----------
+    level : Level
+        Its NNF, δ and W are improved.
+    params : Params
+    seed, level_number, vote : int
+        Name the random numbers.
+
+    Yields
+    ------
+    SearchStep
+        After every iteration.
+    """
+    for iteration in range(1, params.patchmatch_iterations + 1):
+        moves = SCHEDULES[params.schedule](level, seed, level_number, vote, iteration)
+        yield SearchStep(iteration, moves, iteration / params.patchmatch_iterations)

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from numbers import Integral
 
 import numba
@@ -35,7 +35,9 @@ class Result:
         δ between each target patch of the finished image and its source patch, in
         squared 8-bit steps; NaN where a mask leaves the pixel alone.
     history : tuple of Step
-        Energy after every PatchMatch iteration.
+        Energy after every PatchMatch iteration or retrieval.
+    guide_maps : tuple of (H, W) bool
+        The guide map of every level, the coarsest first; empty for the other methods.
     """
 
     image: np.ndarray
@@ -43,6 +45,7 @@ class Result:
     omega: np.ndarray
     error: np.ndarray
     history: tuple[Step, ...]
+    guide_maps: tuple[np.ndarray, ...]
 
 
 def stylize(
@@ -85,7 +88,7 @@ def stylize(
     threads : int, optional
         Threads to use; all by default.
     progress : callable, optional
-        Called with a :class:`Step` after every PatchMatch iteration.
+        Called with a :class:`Step` after every PatchMatch iteration or retrieval.
     on_level : callable, optional
         Called with the level's number and its image when a pyramid level is done.
     profile : Profile, optional
@@ -115,6 +118,8 @@ def stylize(
     guide_weights = params.guide_weights
     if guide_weights is None:
         guide_weights = (1.0,) * len(sources)
+    if params.method == "stylit":
+        params = replace(params, uniformity=0)  # the error budget takes its place
     if len(guide_weights) != len(sources):
         raise InputError(f"there are {len(guide_weights)} guide weights for {len(sources)} guides")
 
@@ -132,16 +137,18 @@ def stylize(
     synthesized = active_patches(mask, params.patch_width)
     check_range(packing, params, source_size, int(np.count_nonzero(synthesized)))
 
-    history = []
+    history, guide_maps = [], []
 
     def on_step(step):
         history.append(step)
         if progress:
             progress(step)
 
-    def report_level(level, packed_style):
+    def report_level(number, level):
+        if params.method == "guide_map":
+            guide_maps.append(level.textures.guide_map)
         if on_level:
-            on_level(level, _shaped_like(style, packed_style))
+            on_level(number, _shaped_like(style, level.style))
 
     with _threads(threads):
         finest = texture_optimization(
@@ -162,6 +169,7 @@ def stylize(
         omega=finest.omega,
         error=np.where(synthesized, finest.delta / ONE, np.nan).astype(np.float32),
         history=tuple(history),
+        guide_maps=tuple(guide_maps),
     )
 
 

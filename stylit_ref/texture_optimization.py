@@ -8,16 +8,23 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from stylit_ref import patchmatch, stylit
 from stylit_ref.formulae.random_stream import RANDOM_NNF, random_stream
 from stylit_ref.level import Level
 from stylit_ref.packing import Packing
 from stylit_ref.params import Params
-from stylit_ref.patchmatch import SCHEDULES
+
+SEARCHES = {
+    "ref": patchmatch.search,
+    "guide_map": patchmatch.search,
+    "stylit": stylit.search,
+}
+"""How the NNF is improved between two votes, by method."""
 
 
 @dataclass(frozen=True)
 class Step:
-    """Where a run stands after a PatchMatch iteration.
+    """Where a run stands after a step of a search: a PatchMatch iteration, or a retrieval.
 
     Attributes
     ----------
@@ -25,14 +32,21 @@ class Step:
         Pyramid level, 1 the coarsest, and their number.
     height, width : int
         Target size of the level.
-    vote, patchmatch_iteration : int
+    vote : int
         Counted from 1.
     delta, penalization : float
         Mean δ and mean λρ over the target patches; φ is their sum.
-    moves : int or None
-        Changes of assignments (None for ``scanline``).
     done : float
         Share of the whole run's work, up to 1.
+    patchmatch_iteration : int
+        Counted from 1 after each vote.
+    moves : int or None
+        Changes of assignments (None where they are not counted).
+    retrieval : int or None
+        ``stylit``: source-to-target retrievals since the vote. The last step of a vote has their
+        number.
+    fixed : float or None
+        ``stylit``: share of the target patches that they have fixed since the vote.
     """
 
     level: int
@@ -40,11 +54,13 @@ class Step:
     height: int
     width: int
     vote: int
-    patchmatch_iteration: int
     delta: float
     penalization: float
-    moves: int | None
     done: float
+    patchmatch_iteration: int
+    moves: int | None
+    retrieval: int | None
+    fixed: float | None
 
 
 def texture_optimization(
@@ -56,7 +72,7 @@ def texture_optimization(
     params: Params,
     seed: int,
     on_step: Callable[[Step], None],
-    on_level: Callable[[int, np.ndarray], None],
+    on_level: Callable[[int, Level], None],
 ) -> Level:
     """TextureOptimization of thesis 2.3 and GPU_TextureOptimization of 3.4.
 
@@ -76,9 +92,9 @@ def texture_optimization(
         ``levels`` must suit the sizes.
     seed : int
     on_step : callable
-        Called after every PatchMatch iteration.
+        Called after every step of a search.
     on_level : callable
-        Called with the level and B' after its last vote.
+        Called with a level's number and the level after its last vote.
 
     Returns
     -------
@@ -91,9 +107,8 @@ def texture_optimization(
         targets.append(passes.downsample(targets[-1]))
         where.append(passes.downsample_mask(where[-1]))
     work = [np.count_nonzero(level_where) for level_where in where]
-    all_work = params.patchmatch_iterations * sum(
-        pixels * params.votes_above(depth) for depth, pixels in enumerate(work)
-    )
+    all_work = sum(pixels * params.votes_above(depth) for depth, pixels in enumerate(work))
+    search = SEARCHES[params.method]
 
     done = 0
     level = None
@@ -112,9 +127,7 @@ def texture_optimization(
         for vote in range(1, params.votes_above(depth) + 1):
             level.vote()
             level.update_moments()
-            for iteration in range(1, params.patchmatch_iterations + 1):
-                moves = SCHEDULES[params.schedule](level, seed, level_number, vote, iteration)
-                done += work[depth]
+            for step in search(level, params, seed, level_number, vote):
                 delta, penalization = level.energy()
                 on_step(
                     Step(
@@ -123,14 +136,17 @@ def texture_optimization(
                         height=level.nnf.shape[0],
                         width=level.nnf.shape[1],
                         vote=vote,
-                        patchmatch_iteration=iteration,
                         delta=delta,
                         penalization=penalization,
-                        moves=moves,
-                        done=done / all_work,
+                        done=(done + step.done * work[depth]) / all_work,
+                        patchmatch_iteration=step.patchmatch_iteration,
+                        moves=step.moves,
+                        retrieval=step.retrieval,
+                        fixed=step.fixed,
                     )
                 )
+            done += work[depth]
         level.vote()
         level.init_occurrence_map()
-        on_level(level_number, level.style)
+        on_level(level_number, level)
     return level

@@ -1,5 +1,8 @@
 """Oracles: the definitions of the thesis in plain Python, as slow as they come."""
 
+from fractions import Fraction
+from math import floor
+
 import numpy as np
 
 
@@ -21,6 +24,37 @@ def delta(source, padded_target, weights, patch_width, y, x, source_y, source_x)
         source_y - radius : source_y + radius + 1, source_x - radius : source_x + radius + 1
     ].astype(object)
     return int((((p - q) ** 2).sum(axis=(0, 1)) * np.array(weights, object)).sum())
+
+
+def mean(patch):
+    """Mean of each channel of a patch, exact (thesis 5.2.1)."""
+    return [Fraction(int(channel.sum()), channel.size) for channel in np.moveaxis(patch, 2, 0)]
+
+
+def variance(patch):
+    """Sum of the variances of a patch's channels, exact (thesis 5.2.1)."""
+    return sum(
+        Fraction(sum((m - int(f)) ** 2 for f in channel.flat), channel.size)
+        for m, channel in zip(mean(patch), np.moveaxis(patch, 2, 0), strict=True)
+    )
+
+
+def guide_map_delta(source, padded_target, weights, patch_width, style_channel, *place):
+    """δ where the guide map is white (SSD, thesis 5.2.2); its guides' part rounded down."""
+    y, x, source_y, source_x = place
+    radius = patch_width // 2
+    p = padded_target[y : y + patch_width, x : x + patch_width, :style_channel]
+    q = source[
+        source_y - radius : source_y + radius + 1,
+        source_x - radius : source_x + radius + 1,
+        :style_channel,
+    ]
+    guides = patch_width**2 * sum(
+        weight * (a - b) ** 2
+        for weight, a, b in zip(weights[:style_channel], mean(p), mean(q), strict=True)
+    )
+    of_style = [0] * style_channel + weights[style_channel:]
+    return floor(guides) + delta(source, padded_target, of_style, patch_width, *place)
 
 
 def omega(nnf, source_size, patch_width):
@@ -73,16 +107,16 @@ def phi(level, omega_map, y, x, source_y, source_x):
     """φ of a target and a source patch of a level, in full."""
     return level.occurrence_weight * omega_sum(
         omega_map, level.patch_width, source_y, source_x
-    ) + delta(
-        level.textures.source,
-        level.textures.target,
-        weights_of(level.packing),
-        level.patch_width,
-        y,
-        x,
-        source_y,
-        source_x,
-    )
+    ) + level_delta(level, y, x, source_y, source_x)
+
+
+def level_delta(level, *place):
+    """δ of a target and a source patch of a level, by means where its guide map is white."""
+    textures, packing = level.textures, level.packing
+    metric = textures.source, textures.target, weights_of(packing), level.patch_width
+    if textures.guide_map is not None and textures.guide_map[place[:2]]:
+        return guide_map_delta(*metric, packing.style_channel, *place)
+    return delta(*metric, *place)
 
 
 def best_of(level, omega_map, y, x, candidates):
@@ -96,8 +130,11 @@ def best_of(level, omega_map, y, x, candidates):
     return best
 
 
-def vote(style, nnf, patch_width):
-    """Mean of the votes of all assigned patches over each pixel, rounded half up (2.3)."""
+def vote(style, nnf, patch_width, outliers=0):
+    """Mean of the votes of all assigned patches over each pixel, rounded half up (2.3).
+
+    Without the ``outliers`` farthest from it (Hauptfleisch 2.4.1), but for one.
+    """
     radius = patch_width // 2
     height, width = nnf.shape[:2]
     image = np.zeros((height, width, style.shape[2]), np.int64)
@@ -109,6 +146,15 @@ def vote(style, nnf, patch_width):
                 for px in range(max(0, x - radius), min(width, x + radius + 1))
                 if nnf[py, px, 0] >= 0
             ]
+            if outliers and votes:
+                mean_vote = [Fraction(int(total), len(votes)) for total in np.sum(votes, axis=0)]
+                distances = [
+                    sum((int(v) - m) ** 2 for v, m in zip(value, mean_vote, strict=True))
+                    for value in votes
+                ]
+                farthest = sorted(range(len(votes)), key=lambda n: -distances[n])
+                kept = sorted(farthest[min(outliers, len(votes) - 1) :])
+                votes = [votes[n] for n in kept]
             if votes:
                 image[y, x] = np.floor(np.mean(votes, axis=0) + 0.5)
     return image

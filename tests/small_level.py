@@ -1,5 +1,7 @@
 """A small pyramid level with everything in it, for tests of passes and formulae."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from stylit_ref import Params, passes
@@ -21,14 +23,17 @@ def make_level(
     constant=False,
     crowded=False,
     masked=None,
+    epsilon=None,
 ):
     """A level with random textures, a random NNF, and δ, Ω and W that belong to it.
 
     ``smooth`` images change slowly, ``constant`` ones not at all; a ``crowded`` NNF
-    assigns every other row to one source patch.
+    assigns every other row to one source patch; ``epsilon`` makes a guide map.
     """
     rng = np.random.default_rng(seed)
     params = Params(patch_width=patch_width, uniformity=uniformity)
+    if epsilon is not None:
+        params = replace(params, method="guide_map", epsilon=epsilon)
     weights = guide_weights or (1.0,) * len(guide_channels)
     packing = make_packing(guide_channels, style_channels, params.guide_influence, weights)
 

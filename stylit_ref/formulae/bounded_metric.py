@@ -15,53 +15,24 @@ best φ so far; all numbers are exact integers, so the decisions are the same
 """
 
 from functools import lru_cache
-from typing import NamedTuple
 
 import numpy as np
 from numba import njit
 
+from stylit_ref.formulae.guide_map import make_guide_map_delta
 from stylit_ref.formulae.patch_moments import BOUND_SCALE
 from stylit_ref.formulae.row_differences import make_weighted_ssd
 
 
-class Textures(NamedTuple):
-    """Ā and B̄ of one pyramid level with their patches' moments, as the metric reads them.
-
-    Attributes
-    ----------
-    source : (H_A, W_A, C) uint8
-    target : (H_B + 2 radius, W_B + 2 radius, C) uint8
-        Edge pixels repeated ``radius`` times.
-    source_moments : (H_A, W_A, lanes) int16
-        Moments of the patch centred at each pixel (zero at centres whose patch leaves
-        the source). Whole cache lines: the first of them starts one.
-    target_moments : (H_B, W_B, lanes) int16
-    weights : (C,) int64
-        Fixed-point weight of each channel.
-    pair_weights : (C / 2,) uint32
-        The same, one for two neighbouring channels.
-    moment_weights : (lanes / 2,) uint32
-        Weights of two neighbouring moments in the bound.
-    """
-
-    source: np.ndarray
-    target: np.ndarray
-    source_moments: np.ndarray
-    target_moments: np.ndarray
-    weights: np.ndarray
-    pair_weights: np.ndarray
-    moment_weights: np.ndarray
-
-
 @lru_cache
-def make_bounded_metric(patch_width, channels, lanes):
-    """Compile the metric for a patch width and numbers of packed channels and moments.
+def make_bounded_metric(patch_width, channels, lanes, mean_channels):
+    """Compile the metric for the constants of :func:`textures.metric_constants`.
 
     Returns
     -------
     assignment_delta : callable
         ``(textures, y, x, source_y, source_x) -> int64``, equal to
-        :func:`patch_similarity.delta`.
+        :func:`patch_similarity.delta`; with a guide map, δ of :mod:`guide_map`.
     may_improve : callable
         ``(textures, omega_sums, occurrence_weight, y, x, candidate_y, candidate_x,
         best_phi) -> bool``: False where λρ alone or with the bound of δ proves that the
@@ -76,7 +47,7 @@ def make_bounded_metric(patch_width, channels, lanes):
     moments_ssd = make_weighted_ssd(1, 1, lanes, element_bits=16)
 
     @njit(forceinline=True, no_cpython_wrapper=True, no_cfunc_wrapper=True)
-    def assignment_delta(textures, y, x, source_y, source_x):
+    def patch_delta(textures, y, x, source_y, source_x):
         source_stride = np.int64(textures.source.shape[1]) * channels
         target_stride = np.int64(textures.target.shape[1]) * channels
         return patch_ssd(
@@ -88,6 +59,10 @@ def make_bounded_metric(patch_width, channels, lanes):
             source_stride,
             textures.pair_weights,
         )
+
+    assignment_delta = patch_delta
+    if mean_channels:
+        assignment_delta = make_guide_map_delta(patch_width, channels, mean_channels, patch_delta)
 
     @njit(forceinline=True, no_cpython_wrapper=True, no_cfunc_wrapper=True)
     def delta_bound(textures, y, x, source_y, source_x):

@@ -16,7 +16,7 @@ from numba import njit
 
 from stylit_ref.formulae.philox import philox4x32
 
-RANDOM_NNF, RANDOM_SEARCH, COMMIT_ORDER = 1, 2, 3
+RANDOM_NNF, RANDOM_SEARCH, COMMIT_ORDER, RETRIEVAL_NNF, RETRIEVAL_SEARCH = 1, 2, 3, 4, 5
 
 
 def random_stream(seed, purpose, level=0, vote=0, iteration=0):
@@ -27,7 +27,7 @@ def random_stream(seed, purpose, level=0, vote=0, iteration=0):
     seed : int
         In ``[0, 2**64)``.
     purpose : int
-        ``RANDOM_NNF``, ``RANDOM_SEARCH`` or ``COMMIT_ORDER``.
+        One of the constants above.
     level, vote, iteration : int
         Each below 65536.
 

@@ -17,7 +17,7 @@ LANES = 16  # elements a vector load: half of what AVX2 holds, widened to 16 bit
 _I16, _I32, _I64 = ir.IntType(16), ir.IntType(32), ir.IntType(64)
 
 
-def make_weighted_ssd(rows, pixels, channels, element_bits):
+def make_weighted_ssd(rows, pixels, channels, element_bits, first_channel=0):
     """Build ``weighted_ssd(a, a_offset, a_stride, b, b_offset, b_stride, pair_weights)``.
 
     Parameters
@@ -28,6 +28,9 @@ def make_weighted_ssd(rows, pixels, channels, element_bits):
         Elements a pixel, a multiple of 16.
     element_bits : {8, 16}
         8 for uint8 pixels; 16 for int16 moments (differences must fit int16).
+    first_channel : int
+        Vectors that lie before this element of a pixel are left out. The others count
+        whole, so elements before it in the first of them need a weight of 0.
 
     Returns
     -------
@@ -37,7 +40,7 @@ def make_weighted_ssd(rows, pixels, channels, element_bits):
         the ``(channels / 2,)`` uint32 weights; returns the int64 sum
         ``Σ weight * (a - b)**2``.
     """
-    groups = channels // LANES
+    groups = range(first_channel // LANES, channels // LANES)
     pair_sums = ir.VectorType(_I32, LANES // 2)
     even = ir.Constant(ir.VectorType(_I32, LANES // 2), list(range(0, LANES, 2)))
     odd = ir.Constant(ir.VectorType(_I32, LANES // 2), list(range(1, LANES, 2)))
@@ -67,7 +70,7 @@ def make_weighted_ssd(rows, pixels, channels, element_bits):
     def weigh(builder, accumulators, pair_weights):
         wide = ir.VectorType(_I64, LANES // 2)
         total = ir.Constant(wide, None)
-        for group, accumulator in enumerate(accumulators):
+        for group, accumulator in zip(groups, accumulators, strict=True):
             weights = load(builder, pair_weights, group * LANES // 2, _I32, LANES // 2)
             weighted = builder.mul(builder.zext(accumulator, wide), builder.zext(weights, wide))
             total = builder.add(total, weighted)
@@ -91,13 +94,12 @@ def make_weighted_ssd(rows, pixels, channels, element_bits):
 
             a, b = builder.gep(data(0), [args[1]]), builder.gep(data(3), [args[4]])
             accumulators = [
-                cgutils.alloca_once_value(builder, ir.Constant(pair_sums, None))
-                for _ in range(groups)
+                cgutils.alloca_once_value(builder, ir.Constant(pair_sums, None)) for _ in groups
             ]
             with cgutils.for_range(builder, ir.Constant(_I64, rows)) as row:
                 row_a = builder.gep(a, [builder.mul(row.index, args[2])])
                 row_b = builder.gep(b, [builder.mul(row.index, args[5])])
-                for group, accumulator in enumerate(accumulators):
+                for group, accumulator in zip(groups, accumulators, strict=True):
                     total = None
                     for pixel in range(pixels):
                         offset = pixel * channels + group * LANES

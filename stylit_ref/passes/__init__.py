@@ -1,7 +1,10 @@
 """One whole array each, on the CPU: loops over the formulae."""
 
+from stylit_ref.passes.claims import invert_nnf, settle_claims
 from stylit_ref.passes.commit import commit
 from stylit_ref.passes.energy import energy
+from stylit_ref.passes.guide_map import guide_map
+from stylit_ref.passes.means import means
 from stylit_ref.passes.occurrence import box_sum, count_assignments, occurrence_map
 from stylit_ref.passes.patch_moments import patch_moments
 from stylit_ref.passes.propagation import propagation
@@ -20,6 +23,9 @@ __all__ = [
     "downsample",
     "downsample_mask",
     "energy",
+    "guide_map",
+    "invert_nnf",
+    "means",
     "occurrence_map",
     "patch_moments",
     "propagation",
@@ -27,6 +33,7 @@ __all__ = [
     "random_search",
     "replay_vote",
     "scanline",
+    "settle_claims",
     "similarity",
     "upsample_nnf",
     "vote",

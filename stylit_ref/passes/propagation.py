@@ -6,15 +6,16 @@ from numba import prange
 
 from stylit_ref.formulae.bounded_metric import make_bounded_metric
 from stylit_ref.formulae.candidates import propagation_candidate
+from stylit_ref.formulae.textures import metric_constants
 from stylit_ref.kernel import kernel
 
 
 @lru_cache
-def _make_kernel(patch_width, channels, lanes):
+def _make_kernel(patch_width, channels, lanes, mean_channels):
     radius = patch_width // 2
-    _, _, improve_proposal = make_bounded_metric(patch_width, channels, lanes)
+    _, _, improve_proposal = make_bounded_metric(patch_width, channels, lanes, mean_channels)
 
-    @kernel(patch_width, channels, lanes)
+    @kernel(patch_width, channels, lanes, mean_channels)
     def propagation_kernel(
         textures, omega_sums, occurrence_weight, nnf, delta, new_nnf, new_delta, distance
     ):
@@ -70,6 +71,5 @@ def propagation(
     distance : int
         Offset of the neighbours in pixels (4, 2 and 1 in the thesis' jump flood).
     """
-    sizes = textures.source.shape[2], textures.source_moments.shape[2]
-    run = _make_kernel(patch_width, *sizes)
+    run = _make_kernel(*metric_constants(textures, patch_width))
     run(textures, omega_sums, occurrence_weight, nnf, delta, new_nnf, new_delta, distance)

@@ -10,6 +10,7 @@ from stylit_ref.formulae.candidates import random_candidate
 from stylit_ref.formulae.patch_moments import LINE_LANES
 from stylit_ref.formulae.prefetch import prefetch
 from stylit_ref.formulae.random_stream import random_words
+from stylit_ref.formulae.textures import metric_constants
 from stylit_ref.kernel import kernel
 
 # Random candidates miss every cache, and none depends on how another fared. So a few
@@ -19,9 +20,11 @@ TOGETHER = 16
 
 
 @lru_cache
-def _make_kernel(patch_width, channels, lanes):
+def _make_kernel(patch_width, channels, lanes, mean_channels):
     radius = patch_width // 2
-    _, may_improve, improve_proposal = make_bounded_metric(patch_width, channels, lanes)
+    _, may_improve, improve_proposal = make_bounded_metric(
+        patch_width, channels, lanes, mean_channels
+    )
 
     @njit(forceinline=True)
     def draw(candidates, centre_y, centre_x, source_height, source_width, stream, pixel):
@@ -34,7 +37,7 @@ def _make_kernel(patch_width, channels, lanes):
                 word_y, word_x, centre_y, centre_x, 1 << k, radius, source_height, source_width
             )
 
-    @kernel(patch_width, channels, lanes)
+    @kernel(patch_width, channels, lanes, mean_channels)
     def random_search_kernel(
         textures, omega_sums, occurrence_weight, nnf, delta, new_nnf, new_delta, stream,
         all_candidates, all_promising, all_counts,
@@ -118,8 +121,7 @@ def random_search(
     stream : tuple of 4 uint32
         From :func:`stylit_ref.formulae.random_stream.random_stream`.
     """
-    sizes = textures.source.shape[2], textures.source_moments.shape[2]
-    run = _make_kernel(patch_width, *sizes)
+    run = _make_kernel(*metric_constants(textures, patch_width))
     height, width = delta.shape
     radii = (max(height, width) // 2).bit_length()
     candidates = np.empty((height, TOGETHER, radii, 2), np.int32)

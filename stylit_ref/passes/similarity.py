@@ -5,14 +5,15 @@ from functools import lru_cache
 from numba import prange
 
 from stylit_ref.formulae.bounded_metric import make_bounded_metric
+from stylit_ref.formulae.textures import metric_constants
 from stylit_ref.kernel import kernel
 
 
 @lru_cache
-def _make_kernel(patch_width, channels, lanes):
-    assignment_delta, _, _ = make_bounded_metric(patch_width, channels, lanes)
+def _make_kernel(patch_width, channels, lanes, mean_channels):
+    assignment_delta, _, _ = make_bounded_metric(patch_width, channels, lanes, mean_channels)
 
-    @kernel(patch_width, channels, lanes)
+    @kernel(patch_width, channels, lanes, mean_channels)
     def similarity_kernel(textures, nnf, delta):
         for y in prange(delta.shape[0]):
             for x in range(delta.shape[1]):
@@ -34,5 +35,4 @@ def similarity(textures, patch_width, nnf, delta):
     delta : (H_B, W_B) int64
         Receives δ in fixed point.
     """
-    sizes = textures.source.shape[2], textures.source_moments.shape[2]
-    _make_kernel(patch_width, *sizes)(textures, nnf, delta)
+    _make_kernel(*metric_constants(textures, patch_width))(textures, nnf, delta)

@@ -45,7 +45,54 @@ def _make_kernel(patch_width, style_channels):
     return vote_kernel
 
 
-def vote(source, target, nnf, patch_width, style_channel, style_channels):
+@lru_cache
+def _make_robust_kernel(patch_width, style_channels):
+    """The mean without the votes farthest from it (Hauptfleisch 2020, 2.4.1)."""
+    radius = patch_width // 2
+
+    @kernel(patch_width, style_channels)
+    def robust_vote_kernel(source, target, nnf, style_channel, outliers, all_values, all_distances):
+        height, width = nnf.shape[:2]
+        for y in prange(height):
+            values, distances = all_values[y], all_distances[y]
+            for x in range(width):
+                votes = 0
+                for near_y in range(max(y - radius, 0), min(y + radius + 1, height)):
+                    for near_x in range(max(x - radius, 0), min(x + radius + 1, width)):
+                        if nnf[near_y, near_x, 0] < 0:
+                            continue
+                        source_y = nnf[near_y, near_x, 0] + y - near_y
+                        source_x = nnf[near_y, near_x, 1] + x - near_x
+                        for c in range(style_channels):
+                            values[votes, c] = source[source_y, source_x, style_channel + c]
+                        votes += 1
+                for n in range(votes):
+                    distances[n] = 0
+                for c in range(style_channels):
+                    total = 0
+                    for n in range(votes):
+                        total += values[n, c]
+                    for n in range(votes):  # squared distance from the mean, times votes squared
+                        distances[n] += (votes * values[n, c] - total) ** 2
+                kept = max(votes - outliers, min(votes, 1))
+                for _ in range(votes - kept):
+                    farthest = 0
+                    for n in range(1, votes):
+                        if distances[n] > distances[farthest]:
+                            farthest = n
+                    distances[farthest] = -1
+                for c in range(style_channels):
+                    total = 0
+                    for n in range(votes):
+                        if distances[n] >= 0:
+                            total += values[n, c]
+                    mean = (2 * total + kept) // (2 * kept) if kept else 0
+                    target[radius + y, radius + x, style_channel + c] = mean
+
+    return robust_vote_kernel
+
+
+def vote(source, target, nnf, patch_width, style_channel, style_channels, outliers=0):
     """Average the votes for every pixel of the target's style.
 
     A pixel at ``(y, x)`` hears the patches centred at ``(y + dy, x + dx)`` that lie in
@@ -63,8 +110,18 @@ def vote(source, target, nnf, patch_width, style_channel, style_channels):
     patch_width : int
     style_channel, style_channels : int
         First style channel in a packed pixel and their number.
+    outliers : int
+        t: as many votes do not count, those farthest from the mean of all; of equally far ones
+        those from further up, then further left, go first. One vote is always kept.
     """
-    _make_kernel(patch_width, style_channels)(source, target, nnf, style_channel)
+    if outliers:
+        run = _make_robust_kernel(patch_width, style_channels)
+        rows, votes = nnf.shape[0], patch_width**2
+        values = np.empty((rows, votes, style_channels), np.int64)
+        distances = np.empty((rows, votes), np.int64)
+        run(source, target, nnf, style_channel, outliers, values, distances)
+    else:
+        _make_kernel(patch_width, style_channels)(source, target, nnf, style_channel)
     radius = patch_width // 2
     style = target[:, :, style_channel : style_channel + style_channels]
     style[:radius], style[-radius:] = style[radius], style[-radius - 1]

@@ -9,6 +9,7 @@ from small_level import make_level
 from stylit_ref.formulae.bounded_metric import make_bounded_metric
 from stylit_ref.formulae.patch_moments import BOUND_SCALE, POLYNOMIALS, STYLE_DEGREES, squared_norm
 from stylit_ref.formulae.row_differences import make_weighted_ssd
+from stylit_ref.formulae.textures import metric_constants
 
 
 @pytest.mark.parametrize("width", [3, 5])
@@ -93,9 +94,7 @@ def test_the_largest_moments_fit_their_lanes(vertical, horizontal):
 @pytest.mark.parametrize("weight", [1e-3, 3e4])
 def test_weights_of_any_size_give_a_bound(weight):
     level = make_level(patch_width=3, guide_channels=(1, 1), guide_weights=(weight, 1.0))
-    assignment_delta, may_improve, _ = make_bounded_metric(
-        3, level.packing.channels, len(level.packing.moments)
-    )
+    assignment_delta, may_improve, _ = make_bounded_metric(*metric_constants(level.textures, 3))
 
     @njit
     def decide(textures, omega_sums, weight, y, x, source_y, source_x):

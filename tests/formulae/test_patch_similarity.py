@@ -8,6 +8,7 @@ from small_level import make_level
 
 from stylit_ref.formulae.bounded_metric import make_bounded_metric
 from stylit_ref.formulae.patch_similarity import delta
+from stylit_ref.formulae.textures import metric_constants
 
 CASES = [
     {"patch_width": 3},
@@ -24,7 +25,7 @@ CASES = [
 def test_delta_and_its_fast_form_are_the_definition(case):
     level = make_level(source_size=(15, 19), target_size=(14, 16), **case)
     assignment_delta, _, _ = make_bounded_metric(
-        level.patch_width, level.packing.channels, len(level.packing.moments)
+        *metric_constants(level.textures, level.patch_width)
     )
 
     @njit

@@ -29,6 +29,25 @@ def test_vote_is_the_mean_rounded_half_up(case):
     )
 
 
+@pytest.mark.parametrize("outliers", [1, 4, 24])
+@pytest.mark.parametrize(
+    "case",
+    [
+        {"crowded": True},
+        {"style_channels": 1, "smooth": True},
+        {"masked": np.tri(14, 12, dtype=bool)},
+    ],
+    ids=str,
+)
+def test_votes_far_from_the_mean_do_not_count(case, outliers):
+    level = make_level(**case)
+    level.vote_outliers = outliers
+    level.vote()
+    style = level.packing.style(level.textures.source)
+    expected = brute_force.vote(style, level.nnf, level.patch_width, outliers)
+    np.testing.assert_array_equal(level.style, expected)
+
+
 def test_vote_brings_delta_up_to_date():
     level = make_level()
     level.vote()

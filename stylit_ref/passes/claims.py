@@ -1,0 +1,79 @@
+"""Source patches claim target patches (StyLit, as told in Hauptfleisch 2020, 2.3.1)."""
+
+from stylit_ref.kernel import kernel
+
+FREE, FIXED, CLAIMED = 0, 1, 2
+"""What a target patch is; anything but ``FREE`` is closed to a retrieval."""
+
+
+@kernel(parallel=False)
+def settle_claims(
+    claims, errors, last_error, last_claims, most, taken, patch_width, nnf, delta
+):  # fmt: skip
+    """Give each free target patch to the closest of the source patches that claim it.
+
+    Claims are considered from the smallest error on, equal ones in the order of rows, as
+    many as the error budget covers. Of two claims to a patch the one with the smaller error
+    wins, or the earlier one.
+
+    Parameters
+    ----------
+    claims : (H_A - 2 radius, W_A - 2 radius, 2) int32
+        For each source patch the target patch it claims, ``radius`` added to its coordinates.
+    errors : (H_A - 2 radius, W_A - 2 radius) int64
+        Their δ.
+    last_error, last_claims : int
+        The largest error within the budget, and how many claims of just that error are.
+    most : (H_B, W_B) int64
+        The largest error that a target patch accepts.
+    taken : (H_B + 2 radius, W_B + 2 radius) int32
+        ``FREE`` or ``FIXED``; becomes ``CLAIMED`` where a claim is settled.
+    patch_width : int
+    nnf, delta : (H_B, W_B, 2) int32 and (H_B, W_B) int64
+        Receive the settled assignments.
+    """
+    radius = patch_width // 2
+    for y in range(errors.shape[0]):
+        for x in range(errors.shape[1]):
+            error = errors[y, x]
+            padded_y, padded_x = claims[y, x, 0], claims[y, x, 1]
+            if taken[padded_y, padded_x] == FIXED or error > last_error:
+                continue
+            if error == last_error:
+                if last_claims == 0:
+                    continue
+                last_claims -= 1
+            target_y, target_x = padded_y - radius, padded_x - radius
+            if error > most[target_y, target_x]:
+                continue
+            if taken[padded_y, padded_x] == FREE or error < delta[target_y, target_x]:
+                taken[padded_y, padded_x] = CLAIMED
+                nnf[target_y, target_x, 0], nnf[target_y, target_x, 1] = y + radius, x + radius
+                delta[target_y, target_x] = error
+
+
+@kernel(parallel=False)
+def invert_nnf(nnf, delta, patch_width, inverse, inverse_delta):
+    """Turn an NNF round: each source patch gets the closest of the target patches assigned to it.
+
+    Parameters
+    ----------
+    nnf, delta : (H_B, W_B, 2) int32 and (H_B, W_B) int64
+        Negative where a mask leaves the pixel alone.
+    patch_width : int
+    inverse : (H_A - 2 radius, W_A - 2 radius, 2) int32
+        Overwritten where a target patch is assigned to the source patch; as ``claims`` of
+        :func:`settle_claims`.
+    inverse_delta : (H_A - 2 radius, W_A - 2 radius) int64
+        Their δ; what is there already must be lower to stay.
+    """
+    radius = patch_width // 2
+    for y in range(delta.shape[0]):
+        for x in range(delta.shape[1]):
+            if nnf[y, x, 0] < 0:
+                continue
+            source_y, source_x = nnf[y, x, 0] - radius, nnf[y, x, 1] - radius
+            if delta[y, x] < inverse_delta[source_y, source_x]:
+                inverse[source_y, source_x, 0] = y + radius
+                inverse[source_y, source_x, 1] = x + radius
+                inverse_delta[source_y, source_x] = delta[y, x]
