@@ -10,13 +10,22 @@ DATA ?= data_gen/bundled
 SIZE ?= 1200x912
 ARGS ?=
 
-.PHONY: eval schedules bench scenes test lint data help clean
+.PHONY: eval schedules epsilon stylit spilling bench scenes test lint data help clean
 
 eval: $(VENV)/eval.installed ## λ report of a scene
 	$(BIN)/python -m eval lambda --scene "$(SCENE)" --data "$(DATA)" $(ARGS)
 
 schedules: $(VENV)/eval.installed ## propose_commit against scanline at every λ (slow)
 	$(BIN)/python -m eval schedules --scene "$(SCENE)" --data "$(DATA)" $(ARGS)
+
+epsilon: $(VENV)/eval.installed ## guide maps at every ε, and what they save
+	$(BIN)/python -m eval epsilon --scene "$(SCENE)" --data "$(DATA)" $(ARGS)
+
+stylit: $(VENV)/eval.installed ## StyLit beside the occurrence map
+	$(BIN)/python -m eval stylit --scene "$(SCENE)" --data "$(DATA)" $(ARGS)
+
+spilling: $(VENV)/eval.installed ## what an ID guide cures: SCENE=TARGET/STYLE,...
+	$(BIN)/python -m eval spilling --scene "$(SCENE)" --data "$(DATA)" $(ARGS)
 
 bench: $(VENV)/eval.installed ## time and energy, beside ebsynth with EBSYNTH=path
 	$(BIN)/python -m eval bench --scene "$(SCENE)" --data "$(DATA)" $(if $(EBSYNTH),--ebsynth "$(EBSYNTH)") $(ARGS)

@@ -7,6 +7,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 import numpy as np
+import pandas as pd
 
 from eval.scenes import Scene
 from stylit_ref import Params, stylize
@@ -24,16 +25,28 @@ class Run:
     image, nnf, omega : array
     seconds : float
         Wall time of ``stylize`` with the kernels compiled before.
-    delta, penalization : float
-        Mean δ and λρ when the last PatchMatch iteration ended.
+    guide_map : (H_B, W_B) bool
+        Of the finest level; all black for methods without.
+    history : pandas.DataFrame
+        A row for each :class:`stylit_ref.Step`.
     """
 
     image: np.ndarray
     nnf: np.ndarray
     omega: np.ndarray
     seconds: float
-    delta: float
-    penalization: float
+    guide_map: np.ndarray
+    history: pd.DataFrame
+
+    @property
+    def delta(self):
+        """Mean δ when the last search ended."""
+        return float(self.history["delta"].iloc[-1])
+
+    @property
+    def penalization(self):
+        """Mean λρ when the last search ended."""
+        return float(self.history["penalization"].iloc[-1])
 
 
 def run(scene: Scene, params: Params, seed: int, progress=None) -> Run:
@@ -65,7 +78,7 @@ def run(scene: Scene, params: Params, seed: int, progress=None) -> Run:
             progress=progress,
         )
         seconds = time.perf_counter() - start
-        last = result.history[-1]
+        black = np.zeros(result.nnf.shape[:2], bool)
         STORE.mkdir(parents=True, exist_ok=True)
         partial = file.with_suffix(".partial.npz")
         np.savez_compressed(
@@ -74,8 +87,8 @@ def run(scene: Scene, params: Params, seed: int, progress=None) -> Run:
             nnf=result.nnf,
             omega=result.omega,
             seconds=seconds,
-            delta=last.delta,
-            penalization=last.penalization,
+            guide_map=result.guide_maps[-1] if result.guide_maps else black,
+            history=json.dumps([asdict(step) for step in result.history]),
         )
         partial.rename(file)
     with np.load(file) as stored:
@@ -84,8 +97,8 @@ def run(scene: Scene, params: Params, seed: int, progress=None) -> Run:
             stored["nnf"],
             stored["omega"],
             float(stored["seconds"]),
-            float(stored["delta"]),
-            float(stored["penalization"]),
+            stored["guide_map"],
+            pd.DataFrame(json.loads(str(stored["history"]))),
         )
 
 

@@ -62,7 +62,7 @@ class Scene:
         return digest.hexdigest()
 
 
-def load_scene(name, data=BUNDLED, step=1):
+def load_scene(name, data=BUNDLED, step=1, more_guides=()):
     """Read a scene.
 
     Parameters
@@ -75,6 +75,8 @@ def load_scene(name, data=BUNDLED, step=1):
         Folder of the data set.
     step : int
         Keep every ``step``-th pixel on each axis.
+    more_guides : sequence of str
+        Guides of a data set to take beside the light passes.
 
     Returns
     -------
@@ -91,12 +93,12 @@ def load_scene(name, data=BUNDLED, step=1):
     if folder.is_dir():
         return _from_folder(folder, step)
     try:
-        return _from_data_set(str(name), Manifest.read(data), step)
+        return _from_data_set(str(name), Manifest.read(data), step, more_guides)
     except DataError as error:
         raise InputError(str(error)) from None
 
 
-def _from_data_set(name, manifest, step):
+def _from_data_set(name, manifest, step, more_guides):
     targets, styles = manifest.targets, manifest.styles
     target, _, style = name.rpartition("/")
     if target not in targets or style not in styles:
@@ -104,13 +106,14 @@ def _from_data_set(name, manifest, step):
             f"{name}: is neither a folder nor TARGET/STYLE of {manifest.folder}; targets there: "
             f"{', '.join(targets)}; styles: {', '.join(styles)}"
         )
+    guide_names = (*LIGHT_PASSES, *more_guides)
     sources, guides = (
-        tuple(_read(manifest.path(f"{place}/{guide}.png"), step) for guide in LIGHT_PASSES)
+        tuple(_read(manifest.path(f"{place}/{guide}.png"), step) for guide in guide_names)
         for place in ("source", target)
     )
     style_image = _read(manifest.path(f"source/styles/{style}.png"), step)
     name = f"{target.replace('/', '_')}_{style}"
-    return Scene(name, manifest.folder, LIGHT_PASSES, style_image, sources, guides, step)
+    return Scene(name, manifest.folder, guide_names, style_image, sources, guides, step)
 
 
 def _from_folder(folder, step):

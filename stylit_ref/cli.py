@@ -20,7 +20,7 @@ from stylit_ref.image_io import (
     write_image,
 )
 from stylit_ref.output_file import check_distinct, check_folder, check_writable, whole_file
-from stylit_ref.params import PRESETS, Params
+from stylit_ref.params import HEEDED_BY, PRESETS, Params
 from stylit_ref.profiling import Profile
 from stylit_ref.replaying import replay
 from stylit_ref.stylization import stylize
@@ -45,7 +45,9 @@ def main(arguments=None):
             warnings.showwarning = lambda message, *_: print(f"note: {message}", file=sys.stderr)
             options.command(options)
     except InputError as error:
-        print(f"stylit-ref: {error}", file=sys.stderr)
+        name, verb, rest = str(error).partition(" is ")  # a parameter goes by its flag here
+        name = _METHOD[name][0] if name in _METHOD else name
+        print(f"stylit-ref: {name}{verb}{rest}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
         print("stylit-ref: interrupted; no half-written file is left", file=sys.stderr)
@@ -68,7 +70,19 @@ def _votes(text):
 _votes.__name__ = "integer, or integers separated by commas,"  # argparse puts it into its refusal
 
 
+def _budget(text):
+    return text if text == "hyperbola" else float(text)
+
+
+_budget.__name__ = "'hyperbola' or a number"
+
+
 _METHOD = {
+    "method": (
+        "--method",
+        str,
+        "ref, as in the thesis; guide_map, its approximation; or stylit, by an error budget",
+    ),
     "uniformity": ("--uniformity", float, "λ, how evenly the style is used"),
     "guide_influence": ("--guide-influence", float, "μ, weight of the guides"),
     "patch_width": ("--patch-size", int, "patch width in pixels, odd"),
@@ -80,6 +94,27 @@ _METHOD = {
     ),
     "patchmatch_iterations": ("--patchmatch-iters", int, "PatchMatch iterations a vote"),
     "schedule": ("--schedule", str, "propose_commit (parallel) or scanline (sequential)"),
+    "vote_outliers": ("--vote-outliers", int, "votes farthest from the mean that do not count"),
+    "epsilon": (
+        "--epsilon",
+        float,
+        "guide_map: ε, variance of the guides below which means stand for them",
+    ),
+    "budget": (
+        "--budget",
+        _budget,
+        "stylit: hyperbola, for the knee of the sorted errors, or a share of their sum, as 0.9",
+    ),
+    "fixed_share": (
+        "--fixed-share",
+        float,
+        "stylit: share of the target to be fixed by source-to-target retrieval",
+    ),
+    "error_limit": (
+        "--error-limit",
+        float,
+        "stylit: α, most error of a fixed patch over the least that was found for it",
+    ),
 }
 
 
@@ -125,11 +160,14 @@ def _parser():
     )
     files.add_argument("--output", required=True, metavar="IMAGE", help="stylized image to write")
     files.add_argument("--nnf", metavar="FILE.npy", help="write the nearest-neighbour field")
-    files.add_argument("--save-levels", metavar="DIR", help="write the image of every level")
+    files.add_argument(
+        "--save-levels", metavar="DIR", help="write the image of every level, and its guide map"
+    )
 
     method = run.add_argument_group("method (defaults of the thesis)")
     for name, (flag, kind, text) in _METHOD.items():
         default = getattr(DEFAULTS, name)
+        default = "none" if default is None else default
         method.add_argument(flag, dest=name, type=kind, help=f"{text} (default {default})")
     method.add_argument(
         "--preset", choices=PRESETS, default="thesis",
@@ -170,6 +208,12 @@ def _run(options):
         name: getattr(options, name) for name in _METHOD if getattr(options, name) is not None
     }
     params = Params(**(PRESETS[options.preset] | chosen), guide_weights=weights)
+    for name, methods in HEEDED_BY.items():
+        if name in chosen and params.method not in methods:
+            raise InputError(
+                f"{_METHOD[name][0]} is for --method {' and '.join(methods)}; "
+                f"the method is {params.method}"
+            )
     profile = Profile()
     with profile.stage("reading images"):
         style = read_uint8(options.style)
@@ -209,11 +253,13 @@ def _run(options):
     with tqdm(total=1.0, disable=options.quiet or None, bar_format=_BAR, file=sys.stderr) as bar:
 
         def show(step):
-            bar.set_description_str(
-                f"level {step.level}/{step.levels}  φ {step.delta + step.penalization:.0f} = "
-                f"δ {step.delta:.0f} + λρ {step.penalization:.0f}",
-                refresh=False,
-            )
+            energy = f"δ {step.delta:.0f}"
+            if step.fixed is None:
+                phi = step.delta + step.penalization
+                energy = f"φ {phi:.0f} = {energy} + λρ {step.penalization:.0f}"
+            else:
+                energy += f"  {step.fixed:.0%} fixed in {step.retrieval} retrievals"
+            bar.set_description_str(f"level {step.level}/{step.levels}  {energy}", refresh=False)
             bar.update(step.done - bar.n)
 
         result = stylize(
@@ -231,6 +277,8 @@ def _run(options):
         )
     with profile.stage("writing images"):
         write_image(options.output, result.image)
+        for level, white in enumerate(result.guide_maps if levels else (), 1):
+            write_image(levels / f"guide_map_{level}.png", white[:, :, None].astype(np.uint8) * 255)
         if options.nnf:
             _save_npy(options.nnf, result.nnf)
     if options.profile:

@@ -3,25 +3,25 @@ r"""How many correspondences a source-to-target retrieval may keep: the error bu
 Fišer et al. 2016, as told in Hauptfleisch 2020, 2.3.1: the errors of all correspondences, sorted,
 resemble a hyperbola :math:`f(x) = (a - bx)^{-1}`. One is fitted; beyond its knee
 :math:`f'(x_k) = 1` correspondences are probably wrong. The budget T is the sum of the errors
-before the knee, and as many correspondences are kept as fit into it (2.5): those of the smallest
+up to the knee, and as many correspondences are kept as fit into it (2.5): those of the smallest
 errors.
 
 What the text leaves open, and what is done here:
 
-- x runs from 0 at the smallest error to 1 at the largest, and errors are over the largest, so
-  that a slope of 1 means the same at every size, in every unit.
-- Errors that are all alike have no knee: all of them are within the budget.
-- A fit that does not converge, or is a line, gives way to the share of Hauptfleisch 4.1.2:
+- The slope of 1 is meant where x runs from 0 at the smallest error to 1 at the largest and
+  the hyperbola ends at f(1) = 1. So it means the same at every size and in every unit, and the
+  one largest error, which may be anything, does not decide.
+- A hyperbola too flat to have that slope, f(1) < 2 f(0), has no knee, nor have errors that are
+  all alike: all of them are within the budget.
+- A fit that does not converge gives way to the share of Hauptfleisch 4.1.2:
   T is 0.9 times the sum of all errors.
 - A sum of exactly T is within the budget, where (2.5) has "<": errors of 0 must be, and those
   before the knee are meant to be. At least one correspondence is.
 - Equal errors rank in the order of rows (:func:`stylit_ref.passes.claims.settle_claims`).
 """
 
-from warnings import catch_warnings, simplefilter
-
 import numpy as np
-from scipy.optimize import OptimizeWarning, curve_fit
+from scipy.optimize import least_squares
 
 SHARE = 0.9
 """Budget over the sum of all errors where no hyperbola can be fitted."""
@@ -41,6 +41,7 @@ def fit_hyperbola(x, y):
     Returns
     -------
     a, b : float
+        a is positive and b below it: no pole up to x = 1.
 
     Raises
     ------
@@ -48,23 +49,25 @@ def fit_hyperbola(x, y):
         If the fit does not converge.
     """
 
-    # By its two ends, 1/f(0) and 1/f(1): positive ones have no pole in between.
-    def hyperbola(x, low, high):
-        return 1 / (low * (1 - x) + high * x)
+    def residuals(ends):  # 1/f(0) and 1/f(1)
+        return 1 / (ends[0] * (1 - x) + ends[1] * x) - y
 
-    start = 1 / max(float(np.median(y)), 1e-3), 1 / max(float(y[-1]), 1e-3)
-    with catch_warnings():
-        simplefilter("error", OptimizeWarning)
-        try:
-            (low, high), _ = curve_fit(hyperbola, x, y, start, bounds=(1e-6, 1e6))
-        except OptimizeWarning as warning:
-            raise RuntimeError(str(warning)) from None
-    return low, low - high
+    start = 1 / max(np.median(y), 1e-3), 1.0
+    fit = least_squares(residuals, start, bounds=(1e-3, 1e9))
+    if not fit.success:
+        raise RuntimeError(fit.message)
+    first, last = fit.x
+    return first, first - last
 
 
 def knee(a, b):
-    r"""Find x where the slope of :math:`(a - bx)^{-1}` is 1, that is :math:`b f^2 = 1`; b > 0."""
-    return (a - np.sqrt(b)) / b
+    r"""Find x where the slope of :math:`f(x) = (a - bx)^{-1}` over f(1) is 1, at most 1.
+
+    :math:`f' = b f^2`, so :math:`a - b x_k = \sqrt{b (a - b)}`.
+    """
+    if a < 2 * (a - b):
+        return 1.0
+    return (a - np.sqrt(b * (a - b))) / b
 
 
 def correspondences_within_budget(errors, budget):
@@ -75,24 +78,21 @@ def correspondences_within_budget(errors, budget):
     errors : (n,) int64
         Sorted, n at least 1.
     budget : "hyperbola" or float
-        T is the sum of the errors before the knee, or this share of the sum of all errors.
+        T is the sum of the errors up to the knee, or this share of the sum of all errors.
 
     Returns
     -------
     int
         From 1 to n.
     """
-    if errors[0] == errors[-1] and budget == "hyperbola":
-        return len(errors)
     if budget == "hyperbola":
+        if errors[0] == errors[-1]:
+            return len(errors)
         places = np.linspace(0, len(errors) - 1, min(SAMPLES, len(errors))).astype(np.int64)
         try:
-            a, b = fit_hyperbola(places / (len(errors) - 1), errors[places] / errors[-1])
+            x_k = knee(*fit_hyperbola(places / (len(errors) - 1), errors[places] / errors[-1]))
+            return int(x_k * (len(errors) - 1)) + 1
         except RuntimeError:
-            b = 0.0
-        if b > 0:
-            before_knee = int(np.ceil(np.clip(knee(a, b), 0, 1) * (len(errors) - 1)))
-            return max(before_knee, 1)
-        budget = SHARE
+            budget = SHARE
     spent = np.cumsum(errors.astype(np.float64))
     return max(int(np.searchsorted(spent, budget * spent[-1], side="right")), 1)

@@ -90,6 +90,66 @@ def test_every_method_flag_reaches_the_parameters(scene, monkeypatch):
     )
 
 
+@pytest.mark.parametrize(
+    ("flags", "values"),
+    [
+        (["--method", "guide_map", "--epsilon", 3.5], {"method": "guide_map", "epsilon": 3.5}),
+        (
+            ["--method", "stylit", "--budget", 0.9, "--fixed-share", 1, "--error-limit", 5],
+            {"method": "stylit", "budget": 0.9, "fixed_share": 1.0, "error_limit": 5.0},
+        ),
+        (["--method", "stylit", "--budget", "hyperbola"], {"method": "stylit"}),
+        (["--vote-outliers", 3], {"vote_outliers": 3}),
+    ],
+    ids=str,
+)
+def test_the_methods_of_the_python_interface(scene, flags, values):
+    folder, *arrays = scene
+    assert run(folder, *flags) == 0
+    params = Params(**({"levels": 2, "votes": 1, "patchmatch_iterations": 1} | values))
+    expected = stylize(*arrays, params)
+    np.testing.assert_array_equal(read_image(folder / "out.png"), expected.image)
+
+
+@pytest.mark.parametrize(
+    ("flags", "message"),
+    [
+        (["--epsilon", 5], "--epsilon is for --method guide_map; the method is ref"),
+        (
+            ["--method", "stylit", "--uniformity", 5],
+            "--uniformity is for --method ref and guide_map; the method is stylit",
+        ),
+        (["--method", "guide_map", "--budget", 0.5], "--budget is for --method stylit"),
+        (["--method", "magic"], "--method is 'magic'; it must be"),
+        (["--method", "stylit", "--budget", 0], "--budget is 0.0; it must be 'hyperbola' or"),
+        (["--method", "stylit", "--error-limit", 0.5], "--error-limit is 0.5"),
+        (["--patch-size", 6], "--patch-size is 6; it must be an odd"),
+    ],
+    ids=str,
+)
+def test_flags_that_do_not_go_together(scene, capsys, flags, message):
+    assert message in refused(capsys, run(scene[0], *flags))
+
+
+def test_guide_maps_are_saved_with_the_levels(scene):
+    folder, *arrays = scene
+    more = ["--method", "guide_map", "--epsilon", 200, "--save-levels", folder / "levels"]
+    assert run(folder, *more) == 0
+    params = Params("guide_map", levels=2, votes=1, patchmatch_iterations=1, epsilon=200)
+    expected = stylize(*arrays, params).guide_maps
+    assert 0 < expected[-1].mean() < 1
+    for level, white in enumerate(expected, 1):
+        saved = read_image(folder / "levels" / f"guide_map_{level}.png")
+        np.testing.assert_array_equal(saved[:, :, 0], white * 255)
+
+
+def test_progress_shows_the_share_that_is_fixed(scene, monkeypatch, capfd):
+    monkeypatch.setattr("sys.stderr.isatty", lambda: True, raising=False)
+    assert run(scene[0], "--method", "stylit") == 0
+    last = capfd.readouterr().err.strip().split("\r")[-1]
+    assert re.search(r"100%.*level 2/2  δ \d+  \d+% fixed in \d+ retrievals", last)
+
+
 def test_presets_fill_in_what_is_not_said(scene, monkeypatch):
     folder = scene[0]
     seen = []
@@ -112,7 +172,11 @@ def test_presets_fill_in_what_is_not_said(scene, monkeypatch):
 
 @pytest.mark.parametrize(
     ("votes", "message"),
-    [("a", "--search-vote-iters"), ("1,", "--search-vote-iters"), ("1,0", "votes is 0")],
+    [
+        ("a", "--search-vote-iters"),
+        ("1,", "--search-vote-iters"),
+        ("1,0", ": --search-vote-iters is 0;"),
+    ],
 )
 def test_votes_that_are_no_counts(capsys, votes, message):
     command = ["run", "--style", "s", "--guide", "a", "b", "--output", "o"]

@@ -16,6 +16,7 @@ CASES = {
     "defaults": ({}, np.s_[:], False),
     "wide patch without penalization": ({"patch_width": 7, "uniformity": 0}, np.s_[:2], False),
     "even use of a grey style, masked": ({"uniformity": 100000, "levels": 2}, np.s_[1:], True),
+    "guide map": ({"method": "guide_map", "epsilon": 300.0}, np.s_[:], False),
     "scanline": (
         {"schedule": "scanline", "levels": 2, "patchmatch_iterations": 2},
         np.s_[:],

@@ -68,6 +68,51 @@ def test_any_number_of_channels(guide_channels, style_channels):
     assert result.error.mean() < result.history[0].delta
 
 
+@pytest.mark.parametrize("patch_width", [3, 5, 7])
+def test_a_guide_map_without_white_is_the_reference(patch_width):
+    scene = small_scene()
+    mapped = stylize(*scene, quick(method="guide_map", epsilon=0, patch_width=patch_width))
+    assert_same(stylize(*scene, quick(patch_width=patch_width)), mapped)
+    assert len(mapped.guide_maps) == 3
+    assert not any(white.any() for white in mapped.guide_maps)
+
+
+def test_white_grows_with_epsilon_and_changes_the_result():
+    scene = small_scene()
+    results = [
+        stylize(*scene, quick(method="guide_map", epsilon=epsilon), threads=threads)
+        for epsilon, threads in ((0, 1), (100, 1), (100, None), (1e6, None))
+    ]
+    white = [result.guide_maps[-1].mean() for result in results]
+    assert white[0] == 0 < white[1] == white[2] < white[3] == 1
+    assert_same(results[1], results[2])
+    assert (results[1].nnf != results[0].nnf).any()
+    assert [white.shape for white in results[0].guide_maps] == [(9, 11), (19, 22), (38, 44)]
+
+
+@pytest.mark.parametrize("method", ["guide_map", "stylit"])
+def test_methods_leave_masked_pixels_alone(method):
+    style, sources, targets = small_scene()
+    mask = np.zeros((38, 44), bool)
+    mask[:20, 10:] = True
+    result = stylize(style, sources, targets, quick(method=method), mask=mask)
+    assert (result.nnf[2:16, 14:] == -1).all()
+    assert (result.image[:, :, 3] == 255 * ~mask).all()
+    assert (result.nnf[~mask] >= 0).all()
+
+
+@pytest.mark.parametrize("method", ["guide_map", "stylit"])
+@pytest.mark.parametrize(
+    "sizes", [((5, 5), (5, 5)), ((5, 40), (30, 6)), ((60, 60), (5, 7)), ((6, 5), (40, 40))], ids=str
+)
+def test_methods_take_narrow_and_uneven_images(method, sizes):
+    scene = small_scene(source_size=sizes[0], target_size=sizes[1])
+    result = stylize(*scene, Params(method, levels=1, votes=2, patchmatch_iterations=2))
+    assert result.image.shape[:2] == sizes[1]
+    assert (result.nnf >= 2).all()
+    assert (result.nnf < np.array(sizes[0]) - 2).all()
+
+
 def test_grey_style_without_a_channel_axis():
     style, sources, targets = small_scene(style_channels=1)
     flat = stylize(style[:, :, 0], sources, targets, QUICK)
@@ -318,6 +363,16 @@ def test_guides_of_different_sizes_or_channels():
         ({"guide_weights": (1.0, -2.0)}, "guide weight 2 is -2.0"),
         ({"guide_weights": 1.0}, "must be a sequence"),
         ({"schedule": "live"}, "'live'"),
+        ({"method": "magic"}, "'ref', 'guide_map' or 'stylit'"),
+        ({"method": "stylit", "schedule": "scanline"}, "goes with 'ref' alone"),
+        ({"epsilon": -1}, "epsilon is -1"),
+        ({"epsilon": float("nan")}, "epsilon is nan"),
+        ({"budget": "knee"}, "budget is 'knee'"),
+        ({"budget": 1.1}, "budget is 1.1"),
+        ({"fixed_share": 0}, "fixed_share is 0"),
+        ({"error_limit": 0.9}, "error_limit is 0.9"),
+        ({"vote_outliers": 25}, "from 0 to 24"),
+        ({"vote_outliers": 1.5}, "vote_outliers is 1.5"),
     ],
     ids=str,
 )

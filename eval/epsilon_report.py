@@ -1,0 +1,173 @@
+"""What guide maps change and what they save (thesis 5.2.3, 5.2.4)."""
+
+import time
+from dataclasses import replace
+
+import numpy as np
+import pandas as pd
+from tqdm import tqdm
+
+from eval.figures import comparison, detailed_window
+from eval.image_energy import image_energy
+from eval.report import table, write_report
+from eval.runs import compile_kernels, run
+from eval.sharpness import detail
+from eval.similarity import psnr, ssim
+from eval.unbounded_search import UNBOUNDED
+from stylit_ref import Params, passes
+from stylit_ref.checks import fit_levels
+from stylit_ref.packing import make_packing
+from stylit_ref.texture_optimization import texture_optimization
+
+EPSILONS = (3, 5, 10, 25, 100, 500, 5000, 10000)
+BLACK, WHITE = 0.0, 1e9
+"""No patch varies by less than the first; all do by less than the second."""
+
+DEFINITIONS = """\
+- **white**: share of the finest level's target patches whose guides vary by less than ε.
+- **PSNR** [dB] and **SSIM** (mean over channels, 7x7 windows): against the image of ref with the same
+  seed. The row of another seed says how far two runs of ref are from each other.
+- **image energy**: mean δ, by the plain metric, of the best match of every interior patch of the
+  finished image, found by a converged λ = 0 search.
+- **ref/time**: time of ref over that of the row."""
+
+
+def epsilon_report(scene, folder, seed=0, pictures=True):
+    """Stylize a scene at every ε of the thesis and write images, numbers and a page.
+
+    Parameters
+    ----------
+    scene : Scene
+    folder : Path
+    seed : int
+    pictures : bool
+        False leaves out every image, for scenes that are not ours to show.
+
+    Returns
+    -------
+    pandas.DataFrame
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    ref = Params()
+    maps = [replace(ref, method="guide_map", epsilon=epsilon) for epsilon in (0, 1e-3, *EPSILONS)]
+    settings = [("ref", ref, seed), ("ref, another seed", ref, seed + 1)]
+    settings += [(f"ε = {params.epsilon:g}", params, seed) for params in maps]
+    rows, results = [], {}
+    for name, params, setting_seed in tqdm(settings, unit="run", disable=None):
+        result = results[name] = run(scene, params, setting_seed)
+        reference = results["ref"]
+        rows.append(
+            {
+                "method": name,
+                "white": f"{result.guide_map.mean():.1%}" if name.startswith("ε") else "",
+                "PSNR": f"{psnr(result.image, reference.image):.2f}",
+                "SSIM": f"{ssim(result.image, reference.image):.3f}",
+                "image energy": f"{image_energy(scene, result.image).mean:.0f}",
+                "time [s]": f"{result.seconds:.2f}",
+                "ref/time": f"{reference.seconds / result.seconds:.2f}",
+            }
+        )
+    frame = pd.DataFrame(rows)
+    frame.to_csv(folder / "epsilon.csv", index=False)
+    costs = _costs(scene, seed)
+    costs.to_csv(folder / "costs.csv", index=False)
+    if pictures:
+        _save_pictures(scene, folder, results, seed)
+    equal = all(
+        np.array_equal(getattr(results["ε = 0"], name), getattr(results["ref"], name))
+        for name in ("image", "nnf", "omega")
+    )
+    write_report(
+        folder,
+        f"Guide maps on {scene.name}, {scene.size}",
+        [
+            *["![ref, StyLit, ε rising, and guide maps](epsilon.png)"] * pictures,
+            table(frame),
+            f"Thesis configuration, λ = 10000, seed {seed}. At ε = 0 image, NNF and Ω are "
+            f"{'those of ref, byte for byte' if equal else 'NOT those of ref'}. Above 0, however "
+            "little, patches whose guides do not vary at all are white.",
+            DEFINITIONS,
+            "Time of the synthesis with and without guide maps, each with and without the exact "
+            "lower bound of the SSD by moments; the least of two runs each, in turns, in one "
+            "process:",
+            table(costs.round(2)),
+        ],
+    )
+    return frame
+
+
+def _costs(scene, seed):
+    """Times with and without the exact lower bound, for ref and three guide maps."""
+    methods = {
+        "ref": Params(),
+        "guide_map, ε = 100": Params("guide_map", epsilon=100.0),
+        "guide_map, all black": Params("guide_map", epsilon=BLACK),
+        "guide_map, all white": Params("guide_map", epsilon=WHITE),
+    }
+    searches = {"with the bound": passes, "without": UNBOUNDED}
+    seconds = {(method, search): [] for method in methods for search in searches}
+    for params in methods.values():
+        compile_kernels(scene, params)
+    with tqdm(total=2 * len(seconds), unit="timing", disable=None) as bar:
+        for _ in range(2):
+            for method, params in methods.items():
+                fields = []
+                for search, module in searches.items():
+                    elapsed, nnf = _synthesis(scene, params, module, seed)
+                    seconds[method, search].append(elapsed)
+                    fields.append(nnf)
+                    bar.update()
+                if not np.array_equal(*fields):
+                    raise AssertionError(f"{method}: the bound changed the result")
+    times = pd.Series({key: min(values) for key, values in seconds.items()}).unstack(sort=False)
+    times["saved by the bound"] = times["without"] / times["with the bound"]
+    for search in searches:
+        times[f"ref/time, {search}"] = times.loc["ref", search] / times[search]
+    return times.rename_axis("method").reset_index()
+
+
+def _synthesis(scene, params, module, seed):
+    """Seconds and NNF of a synthesis with the given module of passes."""
+    params = fit_levels(params, scene.style.shape[:2], scene.target_guides[0].shape[:2])
+    channels = [guide.shape[2] for guide in scene.source_guides]
+    packing = make_packing(
+        channels, scene.style.shape[2], params.guide_influence, [1.0] * len(channels)
+    )
+    start = time.perf_counter()
+    level = texture_optimization(
+        module,
+        packing.pack(scene.source_guides, scene.style),
+        packing.pack(scene.target_guides),
+        np.ones(scene.target_guides[0].shape[:2], bool),
+        packing,
+        params,
+        seed,
+        lambda step: None,
+        lambda number, level: None,
+    )
+    return time.perf_counter() - start, level.nnf
+
+
+def _save_pictures(scene, folder, results, seed):
+    """Thesis 5.2 to 5.8: style, guide, StyLit, ref, ε rising; then the guide maps."""
+    by_epsilon = [
+        (name, result) for name, result in results.items() if name[4:] in map(str, EPSILONS)
+    ]
+    shown = [(name, result.image) for name, result in by_epsilon]
+    maps = [
+        (f"guide map, {name}", result.guide_map[:, :, None] * np.uint8(255))
+        for name, result in by_epsilon
+    ]
+    stylit = run(scene, Params("stylit"), seed).image
+    comparison(
+        folder / "epsilon.png",
+        [
+            [("style", scene.style), ("target guide", scene.shown_guide), ("StyLit", stylit)]
+            + [("ref, λ = 10000", results["ref"].image)],
+            shown[:4],
+            shown[4:],
+            maps[:4],
+            maps[4:],
+        ],
+        detailed_window(detail(scene.shown_guide)),
+    )
