@@ -5,14 +5,15 @@ from dataclasses import replace
 
 import numpy as np
 import pandas as pd
+from skimage.filters import gaussian
 from tqdm import tqdm
 
 from eval.figures import comparison, detailed_window
 from eval.image_energy import image_energy
 from eval.report import table, write_report
 from eval.runs import compile_kernels, run
-from eval.sharpness import detail
 from eval.similarity import psnr, ssim
+from eval.spilling_report import spilling
 from eval.unbounded_search import UNBOUNDED
 from stylit_ref import Params, passes
 from stylit_ref.checks import fit_levels
@@ -20,13 +21,18 @@ from stylit_ref.packing import make_packing
 from stylit_ref.texture_optimization import texture_optimization
 
 EPSILONS = (3, 5, 10, 25, 100, 500, 5000, 10000)
+BEYOND = 50000
+"""An ε at which edges of little contrast are lost for certain."""
+MAPS_SHOWN = (10, 100, 500, 5000, BEYOND)
 BLACK, WHITE = 0.0, 1e9
 """No patch varies by less than the first; all do by less than the second."""
 
 DEFINITIONS = """\
 - **white**: share of the finest level's target patches whose guides vary by less than ε.
-- **PSNR** [dB] and **SSIM** (mean over channels, 7x7 windows): against the image of ref with the same
-  seed. The row of another seed says how far two runs of ref are from each other.
+- **PSNR** [dB] and **SSIM** (mean over channels, 7x7 windows): against the image of ref with the
+  same seed. The row of another seed says how far two runs of ref are from each other.
+- **spilled**: target patches whose source patch is centred on another object (where the scene tells
+  objects apart): edges that are lost let one flow into the other.
 - **image energy**: mean δ, by the plain metric, of the best match of every interior patch of the
   finished image, found by a converged λ = 0 search.
 - **ref/time**: time of ref over that of the row."""
@@ -49,7 +55,10 @@ def epsilon_report(scene, folder, seed=0, pictures=True):
     """
     folder.mkdir(parents=True, exist_ok=True)
     ref = Params()
-    maps = [replace(ref, method="guide_map", epsilon=epsilon) for epsilon in (0, 1e-3, *EPSILONS)]
+    maps = [
+        replace(ref, method="guide_map", epsilon=epsilon)
+        for epsilon in (0, 1e-3, *EPSILONS, BEYOND)
+    ]
     settings = [("ref", ref, seed), ("ref, another seed", ref, seed + 1)]
     settings += [(f"ε = {params.epsilon:g}", params, seed) for params in maps]
     rows, results = [], {}
@@ -62,6 +71,11 @@ def epsilon_report(scene, folder, seed=0, pictures=True):
                 "white": f"{result.guide_map.mean():.1%}" if name.startswith("ε") else "",
                 "PSNR": f"{psnr(result.image, reference.image):.2f}",
                 "SSIM": f"{ssim(result.image, reference.image):.3f}",
+                **(
+                    {"spilled": f"{spilling(result.nnf, scene.ids).mean():.2%}"}
+                    if scene.ids
+                    else {}
+                ),
                 "image energy": f"{image_energy(scene, result.image).mean:.0f}",
                 "time [s]": f"{result.seconds:.2f}",
                 "ref/time": f"{reference.seconds / result.seconds:.2f}",
@@ -88,7 +102,7 @@ def epsilon_report(scene, folder, seed=0, pictures=True):
             "little, patches whose guides do not vary at all are white.",
             DEFINITIONS,
             "Time of the synthesis with and without guide maps, each with and without the exact "
-            "lower bound of the SSD by moments; the least of two runs each, in turns, in one "
+            "lower bound of the SSD by moments; the least of three runs each, in turns, in one "
             "process:",
             table(costs.round(2)),
         ],
@@ -108,8 +122,8 @@ def _costs(scene, seed):
     seconds = {(method, search): [] for method in methods for search in searches}
     for params in methods.values():
         compile_kernels(scene, params)
-    with tqdm(total=2 * len(seconds), unit="timing", disable=None) as bar:
-        for _ in range(2):
+    with tqdm(total=3 * len(seconds), unit="timing", disable=None) as bar:
+        for _ in range(3):
             for method, params in methods.items():
                 fields = []
                 for search, module in searches.items():
@@ -149,25 +163,26 @@ def _synthesis(scene, params, module, seed):
 
 
 def _save_pictures(scene, folder, results, seed):
-    """Thesis 5.2 to 5.8: style, guide, StyLit, ref, ε rising; then the guide maps."""
-    by_epsilon = [
-        (name, result) for name, result in results.items() if name[4:] in map(str, EPSILONS)
+    """Thesis 5.2 to 5.8: style, guide, StyLit, ref, ε rising; then guide maps.
+
+    The zoom shows where the thesis' largest ε differs most from ref, strokes blurred away.
+    """
+    first = [
+        ("style", scene.style),
+        ("target guide", scene.shown_guide),
+        ("StyLit", run(scene, Params("stylit"), seed).image),
+        ("ref, λ = 10000", results["ref"].image),
     ]
-    shown = [(name, result.image) for name, result in by_epsilon]
+    rising = {epsilon: results[f"ε = {epsilon}"] for epsilon in (*EPSILONS, BEYOND)}
+    images = [(f"ε = {epsilon}", result.image) for epsilon, result in rising.items()]
     maps = [
-        (f"guide map, {name}", result.guide_map[:, :, None] * np.uint8(255))
-        for name, result in by_epsilon
+        (f"guide map, ε = {epsilon}", rising[epsilon].guide_map[:, :, None] * np.uint8(255))
+        for epsilon in MAPS_SHOWN
     ]
-    stylit = run(scene, Params("stylit"), seed).image
+    difference = rising[EPSILONS[-1]].image.astype(float) - results["ref"].image
+    strokes_away = gaussian(difference, 4, channel_axis=2)
     comparison(
         folder / "epsilon.png",
-        [
-            [("style", scene.style), ("target guide", scene.shown_guide), ("StyLit", stylit)]
-            + [("ref, λ = 10000", results["ref"].image)],
-            shown[:4],
-            shown[4:],
-            maps[:4],
-            maps[4:],
-        ],
-        detailed_window(detail(scene.shown_guide)),
+        [[*first, images[0]], images[1:6], [*images[6:], *maps[:2]], maps[2:]],
+        detailed_window((strokes_away**2).sum(axis=2)),
     )

@@ -29,6 +29,8 @@ class Scene:
         By ``guide_names``.
     step : int
         Every ``step``-th pixel of the files was kept.
+    ids : tuple of 2 arrays, optional
+        Of source and target, a colour for each object; not among the guides.
     """
 
     name: str
@@ -38,6 +40,7 @@ class Scene:
     source_guides: tuple[np.ndarray, ...]
     target_guides: tuple[np.ndarray, ...]
     step: int
+    ids: tuple[np.ndarray, np.ndarray] | None = None
 
     @property
     def size(self):
@@ -62,7 +65,7 @@ class Scene:
         return digest.hexdigest()
 
 
-def load_scene(name, data=BUNDLED, step=1, more_guides=()):
+def load_scene(name, data=BUNDLED, step=1):
     """Read a scene.
 
     Parameters
@@ -75,8 +78,6 @@ def load_scene(name, data=BUNDLED, step=1, more_guides=()):
         Folder of the data set.
     step : int
         Keep every ``step``-th pixel on each axis.
-    more_guides : sequence of str
-        Guides of a data set to take beside the light passes.
 
     Returns
     -------
@@ -93,12 +94,12 @@ def load_scene(name, data=BUNDLED, step=1, more_guides=()):
     if folder.is_dir():
         return _from_folder(folder, step)
     try:
-        return _from_data_set(str(name), Manifest.read(data), step, more_guides)
+        return _from_data_set(str(name), Manifest.read(data), step)
     except DataError as error:
         raise InputError(str(error)) from None
 
 
-def _from_data_set(name, manifest, step, more_guides):
+def _from_data_set(name, manifest, step):
     targets, styles = manifest.targets, manifest.styles
     target, _, style = name.rpartition("/")
     if target not in targets or style not in styles:
@@ -106,14 +107,14 @@ def _from_data_set(name, manifest, step, more_guides):
             f"{name}: is neither a folder nor TARGET/STYLE of {manifest.folder}; targets there: "
             f"{', '.join(targets)}; styles: {', '.join(styles)}"
         )
-    guide_names = (*LIGHT_PASSES, *more_guides)
     sources, guides = (
-        tuple(_read(manifest.path(f"{place}/{guide}.png"), step) for guide in guide_names)
+        tuple(_read(manifest.path(f"{place}/{guide}.png"), step) for guide in LIGHT_PASSES)
         for place in ("source", target)
     )
     style_image = _read(manifest.path(f"source/styles/{style}.png"), step)
     name = f"{target.replace('/', '_')}_{style}"
-    return Scene(name, manifest.folder, guide_names, style_image, sources, guides, step)
+    ids = tuple(_read(manifest.path(f"{place}/IDMASK.png"), step) for place in ("source", target))
+    return Scene(name, manifest.folder, LIGHT_PASSES, style_image, sources, guides, step, ids)
 
 
 def _from_folder(folder, step):

@@ -1,5 +1,7 @@
 """Spilling and its cure by an ID guide (thesis 5.2.4)."""
 
+from dataclasses import replace
+
 import numpy as np
 import pandas as pd
 from tqdm import tqdm
@@ -8,24 +10,23 @@ from eval.figures import comparison, detailed_window
 from eval.report import table, write_report
 from eval.runs import run
 from eval.scenes import load_scene
-from stylit_ref import Params
-
-ID_GUIDE = "IDMASK"
+from stylit_ref import InputError, Params
 
 
-def spilling(nnf, source_ids, target_ids):
+def spilling(nnf, ids):
     """Target patches whose source patch is centred on another object than they are.
 
     Parameters
     ----------
     nnf : (H_B, W_B, 2) int32
-    source_ids, target_ids : (H_A, W_A, n) and (H_B, W_B, n) uint8
-        A colour for each object.
+    ids : tuple of (H_A, W_A, n) and (H_B, W_B, n) uint8
+        Of source and target, a colour for each object.
 
     Returns
     -------
     (H_B, W_B) bool
     """
+    source_ids, target_ids = ids
     return (source_ids[nnf[:, :, 0], nnf[:, :, 1]] != target_ids).any(axis=2)
 
 
@@ -46,14 +47,19 @@ def spilling_report(names, data, folder, step=1, seed=0):
     -------
     pandas.DataFrame
     """
-    folder.mkdir(parents=True, exist_ok=True)
     rows, pictures, where = [], [], []
     for name in tqdm(names, unit="scene", disable=None):
         plain = load_scene(name, data, step)
-        guided = load_scene(name, data, step, more_guides=[ID_GUIDE])
-        source_ids, target_ids = guided.source_guides[-1], guided.target_guides[-1]
+        if plain.ids is None:
+            raise InputError(f"{name}: is no scene of a data set, and has no IDMASK")
+        guided = replace(
+            plain,
+            guide_names=(*plain.guide_names, "IDMASK"),
+            source_guides=(*plain.source_guides, plain.ids[0]),
+            target_guides=(*plain.target_guides, plain.ids[1]),
+        )
         results = [run(scene, Params(), seed) for scene in (plain, guided)]
-        spilled = [spilling(result.nnf, source_ids, target_ids) for result in results]
+        spilled = [spilling(result.nnf, plain.ids) for result in results]
         rows.append(
             {
                 "scene": plain.name,
@@ -65,13 +71,14 @@ def spilling_report(names, data, folder, step=1, seed=0):
         pictures.append(
             [
                 ("style", plain.style),
-                ("ID guide", target_ids),
+                ("ID guide", plain.ids[1]),
                 (f"{name}: light passes", results[0].image),
                 ("and ID guide", results[1].image),
                 ("where it spilled", np.uint8(255) * spilled[0][:, :, None]),
                 ("and with ID guide", np.uint8(255) * spilled[1][:, :, None]),
             ]
         )
+    folder.mkdir(parents=True, exist_ok=True)
     frame = pd.DataFrame(rows)
     frame.to_csv(folder / "spilling.csv", index=False)
     comparison(folder / "spilling.png", pictures, detailed_window(np.mean(where, axis=0)))

@@ -45,19 +45,19 @@ def stylit_report(scene, folder, seed=0, pictures=True):
     if pictures:
         guide = scene.shown_guide
         images = [(name, run(scene, params, seed).image) for name, params in SETTINGS.items()]
-        pictures = [[("style", scene.style), ("target guide", guide), *images[:3]], images[3:]]
-        comparison(folder / "stylit.png", pictures, detailed_window(detail(guide)))
+        shown = [[("style", scene.style), ("target guide", guide), *images[:3]], images[3:]]
+        comparison(folder / "stylit.png", shown, detailed_window(detail(guide)))
     write_report(
         folder,
         f"StyLit on {scene.name}, {scene.size}",
         [
             *["![StyLit, ref, and options of StyLit](stylit.png)"] * pictures,
             table(formatted(frame.drop(columns=["penalization", "phi"]))),
-            f"Thesis configuration: 6 levels, 6 votes, 6 PatchMatch iterations a search, seed {seed}. "
-            "Image energy and usage are measured alike for all; δ of StyLit holds what its budget "
-            "accepted.",
-            "Source-to-target retrievals of StyLit by level (1 the coarsest) and vote, and the share "
-            "of the target they fixed; the rest is from target to source:",
+            "Thesis configuration: 6 levels, 6 votes, 6 PatchMatch iterations a search; seed "
+            f"{seed}. Image energy and usage are measured alike for all; δ of StyLit holds what "
+            "its budget accepted.",
+            "Source-to-target retrievals of StyLit by level (1 the coarsest) and vote, and the "
+            "share of the target they fixed; the rest is from target to source:",
             table(_retrievals(run(scene, SETTINGS["StyLit"], seed).history)),
             DEFINITIONS,
         ],
