@@ -27,6 +27,7 @@ PINNED = {
     "defaults": "0d87a9fea601f9be",
     "wide patch without penalization": "9cc7cdf5ec610f27",
     "even use of a grey style, masked": "0a6ddaf4368a3c12",
+    "guide map": "49ce518b11a69a01",  # of the code that brought it
     "scanline": "1cdb9d3441b440d5",
 }
 

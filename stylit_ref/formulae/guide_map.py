@@ -107,11 +107,11 @@ def make_guide_map_delta(patch_width, channels, mean_channels, patch_delta):
     def guide_map_delta(textures, y, x, source_y, source_x):
         if not textures.guide_map[y, x]:
             return patch_delta(textures, y, x, source_y, source_x)
+        sums_p = textures.target_sums[np.uint64(y), np.uint64(x)]
+        sums_q = textures.source_sums[np.uint64(source_y), np.uint64(source_x)]
         guides = np.int64(0)
         for c in range(mean_channels):
-            difference = np.int64(textures.target_sums[y, x, c]) - np.int64(
-                textures.source_sums[source_y, source_x, c]
-            )
+            difference = np.int64(sums_p[c]) - np.int64(sums_q[c])
             guides += textures.weights[c] * difference * difference
         source_stride = np.int64(textures.source.shape[1]) * channels
         target_stride = np.int64(textures.target.shape[1]) * channels
