@@ -3,13 +3,18 @@
 import numpy as np
 import pytest
 from skimage.filters import gaussian
+from small_level import make_level
 from small_scene import small_scene
 
 from eval.image_energy import image_energy
 from eval.scenes import Scene
 from eval.sharpness import detail, richness, sharpness
+from eval.similarity import psnr, ssim
+from eval.spilling_report import spilling
+from eval.unbounded_search import UNBOUNDED
 from eval.usage import coverage, distinct_patches, peak_usage
-from stylit_ref import replay
+from stylit_ref import passes, replay
+from stylit_ref.formulae.random_stream import RANDOM_SEARCH, random_stream
 
 
 def scene(**sizes):
@@ -77,3 +82,40 @@ def test_usage():
     assert peak_usage(omega, target_patches=16, patch_width=1) == 3
     nnf = np.array([[[1, 2], [1, 2]], [[3, 2], [2, 1]]], np.int32)
     assert distinct_patches(nnf) == 0.75
+
+
+def test_psnr_and_ssim():
+    image = scene().style
+    shifted = np.where(image > 127, image - 10, image + 10).astype(np.uint8)
+    assert psnr(image, image) == np.inf
+    assert psnr(shifted, image) == pytest.approx(20 * np.log10(255 / 10))
+    assert ssim(image, image) == pytest.approx(1)
+    assert (
+        ssim(gaussian(image, 3, channel_axis=2, preserve_range=True).astype(np.uint8), image) < 0.7
+    )
+
+
+def test_spilling_is_where_source_and_target_are_different_things():
+    source_ids = np.zeros((4, 6, 3), np.uint8)
+    source_ids[:, 3:, 1] = 255
+    target_ids = np.zeros((2, 3, 3), np.uint8)
+    target_ids[1, :, 1] = 255
+    nnf = np.array([[[0, 0], [1, 2], [2, 3]], [[3, 3], [0, 5], [3, 2]]], np.int32)
+    expected = [[False, False, True], [False, False, True]]
+    np.testing.assert_array_equal(spilling(nnf, (source_ids, target_ids)), expected)
+
+
+@pytest.mark.parametrize("case", [{}, {"smooth": True, "epsilon": 520, "uniformity": 200}], ids=str)
+def test_the_search_without_the_bound_finds_the_same(case):
+    level = make_level(target_size=(30, 33), **case)
+    found = []
+    for module in (passes, UNBOUNDED):
+        new_nnf, new_delta = level.nnf.copy(), level.delta.copy()
+        module.random_search(
+            level.textures, level.omega_sums, level.occurrence_weight, level.patch_width,
+            level.nnf, level.delta, new_nnf, new_delta, random_stream(2, RANDOM_SEARCH, 1),
+        )  # fmt: skip
+        found.append((new_nnf, new_delta))
+    for bounded, unbounded in zip(*found, strict=True):
+        np.testing.assert_array_equal(bounded, unbounded)
+    assert (found[0][0] != level.nnf).any()

@@ -79,7 +79,10 @@ def test_a_damaged_data_set_is_refused(tmp_path):
     assert load_scene("teapot/oil", data).size == "300x228"
 
 
-def test_scenes_report(tmp_path, monkeypatch, capsys):
+@pytest.fixture
+def data(tmp_path, monkeypatch):
+    """A data set of one target, a sixth as wide as the bundled one."""
+    monkeypatch.chdir(tmp_path)
     data = tmp_path / "small"
     manifest = Manifest.open(data)
     manifest.restart(Manifest.read(BUNDLED).recipe)
@@ -89,7 +92,10 @@ def test_scenes_report(tmp_path, monkeypatch, capsys):
             (data / file).parent.mkdir(parents=True, exist_ok=True)
             write_image(data / file, np.ascontiguousarray(image))
         manifest.add(piece)
-    monkeypatch.chdir(tmp_path)
+    return data
+
+
+def test_scenes_report(data, tmp_path):
     assert main(["scenes", "--data", str(data)]) == 0
     report = tmp_path / "reports" / "scenes_small"
     assert {file.name for file in report.iterdir()} == {
@@ -108,6 +114,44 @@ def test_lambda_report(folder, capsys):
     numbers = pd.read_csv(report / "lambda.csv")
     assert list(numbers["λ"]) == [0, 5000, 10000, 15000]
     assert (numbers["distinct"].diff().dropna() > 0).all()
+
+
+def test_epsilon_report(folder, monkeypatch):
+    monkeypatch.setattr("eval.epsilon_report.EPSILONS", (100, 10000))
+    monkeypatch.setattr("eval.epsilon_report.MAPS_SHOWN", (100,))
+    assert main(["epsilon", "--scene", str(folder)]) == 0
+    report = folder.parent / "reports" / "epsilon_small_44x38"
+    numbers = pd.read_csv(report / "epsilon.csv").set_index("method")
+    assert list(numbers.index) == [
+        "ref", "ref, another seed", "ε = 0", "ε = 0.001", "ε = 100", "ε = 10000", "ε = 50000",
+    ]  # fmt: skip
+    assert numbers.loc["ε = 0", "SSIM"] == 1
+    assert np.isinf(numbers.loc["ε = 0", "PSNR"])
+    assert numbers["white"].dropna().tolist()[::4] == ["0.0%", "100.0%"]
+    costs = pd.read_csv(report / "costs.csv")
+    assert costs["method"].tolist()[0] == "ref"
+    assert (costs[["with the bound", "without"]] > 0).all(axis=None)
+    assert "byte for byte" in (report / "report.md").read_text(encoding="utf-8")
+    assert (report / "epsilon.png").exists()
+
+
+def test_stylit_report(folder):
+    assert main(["stylit", "--scene", str(folder), "--numbers"]) == 0
+    report = folder.parent / "reports" / "stylit_small_44x38"
+    numbers = pd.read_csv(report / "stylit.csv").set_index("method")
+    assert numbers.loc["StyLit", "distinct"] > numbers.loc["ref, λ = 0", "distinct"]
+    page = (report / "report.md").read_text(encoding="utf-8")
+    assert re.search(r"\| 3 +\|( \d+ \(\d+\.\d%\) +\|){6}", page)
+    assert not (report / "stylit.png").exists()
+
+
+def test_spilling_report(data, tmp_path):
+    assert main(["spilling", "--data", str(data), "--scene", "teapot/oil,teapot/pen"]) == 0
+    report = tmp_path / "reports" / "spilling_small"
+    numbers = pd.read_csv(report / "spilling.csv")
+    spilled = numbers[["spilled", "with the ID guide"]].map(lambda text: float(text[:-1]))
+    assert (spilled["with the ID guide"] < spilled["spilled"]).all()
+    assert (report / "spilling.png").exists()
 
 
 def test_a_run_is_computed_once(folder, monkeypatch):
@@ -188,6 +232,7 @@ def test_bench_measures_both_programs_alike(folder, capsys, monkeypatch):
         (["lambda", "--scene", "none"], "none: is neither a folder nor TARGET/STYLE of"),
         (["lambda", "--scene", "."], "is no scene"),
         (["lambda", "--scene", "small", "--step", "0"], "step is 0"),
+        (["spilling", "--scene", "small"], "small: is no scene of a data set"),
         (["bench", "--scene", "small", "--ebsynth", "./none"], "./none: is no program"),
     ],
     ids=lambda value: value[0] if isinstance(value, list) else "",
