@@ -82,8 +82,41 @@ def sums_dtype(patch_width):
     return np.uint16 if patch_width**2 * 255 < 1 << 16 else np.uint32
 
 
+@njit
+def delta_by_means(
+    source, target, weights, target_sums, source_sums, patch_width, y, x, source_y, source_x
+):  # fmt: skip
+    """δ of a patch that is white on the map, in its plainest form (SSD, thesis 5.2.2).
+
+    Parameters
+    ----------
+    source, target, weights, patch_width, y, x, source_y, source_x
+        As for :func:`stylit_ref.formulae.patch_similarity.delta`.
+    target_sums, source_sums : (n,) uint16 or uint32
+        :func:`patch_sum` of both patches' guide channels.
+
+    Returns
+    -------
+    int64
+        In fixed point, the guides' part rounded down.
+    """
+    guides = np.int64(0)
+    for c in range(target_sums.shape[0]):
+        difference = np.int64(target_sums[c]) - np.int64(source_sums[c])
+        guides += weights[c] * difference * difference
+    total = guides // (patch_width * patch_width)
+    radius = patch_width // 2
+    for dy in range(patch_width):
+        for dx in range(patch_width):
+            for c in range(target_sums.shape[0], source.shape[2]):
+                f_p = np.int64(target[y + dy, x + dx, c])
+                f_q = np.int64(source[source_y - radius + dy, source_x - radius + dx, c])
+                total += weights[c] * (f_p - f_q) * (f_p - f_q)
+    return total
+
+
 def make_guide_map_delta(patch_width, channels, mean_channels, patch_delta):
-    """Compile the SSD of thesis 5.2.2.
+    """Compile the SSD of thesis 5.2.2 for the CPU's vectors; equals :func:`delta_by_means`.
 
     Parameters
     ----------

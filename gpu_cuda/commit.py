@@ -1,0 +1,90 @@
+"""Commit: proposals become assignments while Ω follows (the canonical schedule).
+
+The 16 classes are 33 small steps, each of which needs all of the one before. As kernels of their
+own they cost more in launches than in work, so one cooperative kernel takes all of them: its
+threads stay on the device and wait for each other between the steps (a grid-wide barrier).
+W follows by atomic additions of integers, whose order does not matter.
+"""
+
+from functools import lru_cache
+
+import numpy as np
+from numba import cuda
+
+from gpu_cuda.device import launch_cooperative
+from gpu_cuda.formulae import commit_order, penalization
+from gpu_cuda.patch_penalization import make_atomic_updates
+from stylit_ref.formulae.commit_classes import CLASS_STRIDE
+
+
+@lru_cache
+def make_kernel(patch_width):
+    """Compile the cooperative kernel for a patch width."""
+    _, update_omega_sums = make_atomic_updates(patch_width)
+
+    @cuda.jit
+    def commit_kernel(
+        nnf,
+        delta,
+        proposed_nnf,
+        proposed_delta,
+        omega_sums,
+        occurrence_weight,
+        stream,
+        moved,
+        moves,
+    ):
+        grid = cuda.cg.this_grid()
+        order = cuda.local.array((CLASS_STRIDE * CLASS_STRIDE, 2), np.int32)
+        commit_order(stream, order)
+        height, width = delta.shape
+        thread, threads = cuda.grid(1), cuda.gridsize(1)
+        for n in range(CLASS_STRIDE * CLASS_STRIDE):
+            first_y, first_x = order[n, 0], order[n, 1]
+            columns = (width - first_x + CLASS_STRIDE - 1) // CLASS_STRIDE
+            pixels = (height - first_y + CLASS_STRIDE - 1) // CLASS_STRIDE * columns
+            for k in range(thread, pixels, threads):
+                y = first_y + CLASS_STRIDE * (k // columns)
+                x = first_x + CLASS_STRIDE * (k % columns)
+                old_y, old_x = nnf[y, x, 0], nnf[y, x, 1]
+                new_y, new_x = proposed_nnf[y, x, 0], proposed_nnf[y, x, 1]
+                moved[y, x] = False
+                if old_y == new_y and old_x == new_x:
+                    continue
+                old_phi = delta[y, x] + penalization(omega_sums, occurrence_weight, old_y, old_x)
+                new_phi = proposed_delta[y, x] + penalization(
+                    omega_sums, occurrence_weight, new_y, new_x
+                )
+                if new_phi < old_phi:
+                    nnf[y, x, 0], nnf[y, x, 1] = new_y, new_x
+                    proposed_nnf[y, x, 0], proposed_nnf[y, x, 1] = old_y, old_x
+                    delta[y, x] = proposed_delta[y, x]
+                    moved[y, x] = True
+                    cuda.atomic.add(moves, 0, 1)
+            if occurrence_weight:
+                grid.sync()
+                for k in range(thread, pixels, threads):
+                    y = first_y + CLASS_STRIDE * (k // columns)
+                    x = first_x + CLASS_STRIDE * (k % columns)
+                    if moved[y, x]:
+                        update_omega_sums(omega_sums, nnf[y, x, 0], nnf[y, x, 1], 1)
+                        update_omega_sums(
+                            omega_sums, proposed_nnf[y, x, 0], proposed_nnf[y, x, 1], -1
+                        )
+                grid.sync()
+
+    return commit_kernel
+
+
+def commit(
+    nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, patch_width, stream
+):
+    """As :func:`stylit_ref.passes.commit`, on device arrays."""
+    moved = cuda.device_array(delta.shape, np.bool_)
+    moves = cuda.to_device(np.zeros(1, np.int32))
+    launch_cooperative(
+        make_kernel(patch_width),
+        nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, stream,
+        moved, moves,
+    )  # fmt: skip
+    return int(moves.copy_to_host()[0])

@@ -1,0 +1,60 @@
+"""What a kernel needs of the machine: blocks, and formulae that it can call."""
+
+import numpy as np
+from numba import config
+
+SIMULATED = bool(config.ENABLE_CUDASIM)
+"""Whether kernels run in Numba's simulator (``NUMBA_ENABLE_CUDASIM=1``), thread after thread."""
+
+BLOCK = (8, 8) if SIMULATED else (32, 8)
+"""Threads of a block along x and y."""
+
+
+def formula(function):
+    """Make a formula callable from a kernel.
+
+    On a GPU a kernel compiles the ``@njit`` functions that it calls. In the simulator it is
+    plain Python, and a formula must be given the arrays themselves, not their disguise.
+    """
+    if not SIMULATED:
+        return function
+
+    def call(*arguments):
+        return function(*map(_undisguised, arguments))
+
+    return call
+
+
+def _undisguised(argument):
+    item = getattr(argument, "_item", None) if not isinstance(argument, np.generic) else None
+    return item._ary if item is not None else argument
+
+
+def launch(kernel, size, *arguments, block=BLOCK):
+    """Run a kernel with one thread for each pixel.
+
+    Parameters
+    ----------
+    kernel : callable
+        Compiled with ``cuda.jit``.
+    size : (int, int)
+        Rows and columns.
+    *arguments
+        Of the kernel.
+    block : (int, int)
+        Threads of a block along x and y.
+    """
+    rows, columns = size
+    grid = -(-columns // block[0]), -(-rows // block[1])
+    kernel[grid, block](*arguments)
+
+
+def launch_cooperative(kernel, *arguments):
+    """Run a kernel whose threads wait for each other, with as many as the device holds at once."""
+    threads = BLOCK[0] * BLOCK[1]
+    if SIMULATED:
+        kernel[1, threads](*arguments)
+        return
+    special = kernel.specialize(*arguments)
+    (overload,) = special.overloads.values()
+    special[overload.max_cooperative_grid_blocks(threads), threads](*arguments)

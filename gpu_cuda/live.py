@@ -1,0 +1,112 @@
+"""Ω as the thesis updates it: while the kernels run, with atomics (3.2, 3.3).
+
+Not reproducible, since it depends on which thread comes first; judged by what must hold
+(ΣΩ, Ω equals a recount) and by its energy. Two forms:
+
+``ImproveAssignment`` as in 3.2
+    ρ sums w² elements of Ω, and every change of an assignment is 2 w² atomics.
+with W
+    ρ is one read of W, Ω summed over each patch, and a change is 2 (2w - 1)² atomics.
+"""
+
+from functools import lru_cache
+
+import numpy as np
+from numba import cuda
+
+from gpu_cuda.formulae import (
+    delta,
+    patch_omega,
+    propagation_candidate,
+    random_candidate,
+    random_words,
+)
+from gpu_cuda.patch_penalization import make_atomic_updates
+
+
+@lru_cache
+def make_kernels(patch_width, with_sums):
+    """Compile Kernel_Propagation and Kernel_RandomSearch of 3.3.
+
+    Parameters
+    ----------
+    patch_width : int
+    with_sums : bool
+        Whether the map is W, not Ω.
+    """
+    radius = patch_width // 2
+    update_patch_omega, update_omega_sums = make_atomic_updates(patch_width)
+    update = update_omega_sums if with_sums else update_patch_omega
+
+    @cuda.jit(device=True)
+    def penalization(omega, occurrence_weight, source_y, source_x):
+        if with_sums:
+            return occurrence_weight * np.int64(omega[source_y, source_x])
+        return occurrence_weight * np.int64(patch_omega(omega, patch_width, source_y, source_x))
+
+    @cuda.jit(device=True)
+    def improve_assignment(
+        source, target, weights, omega, occurrence_weight, y, x, new_y, new_x, current_y, current_x
+    ):
+        """Keep the closer of two assignments and bring Ω up to date (ImproveAssignment, 3.2)."""
+        phi_current = penalization(omega, occurrence_weight, current_y, current_x) + delta(
+            source, target, weights, patch_width, y, x, current_y, current_x
+        )
+        phi_new = penalization(omega, occurrence_weight, new_y, new_x) + delta(
+            source, target, weights, patch_width, y, x, new_y, new_x
+        )
+        if phi_new < phi_current:
+            update(omega, new_y, new_x, 1)
+            update(omega, current_y, current_x, -1)
+            return new_y, new_x
+        return current_y, current_x
+
+    @cuda.jit
+    def propagation_kernel(
+        source, target, weights, omega, occurrence_weight, nnf, new_nnf, distance
+    ):
+        x, y = cuda.grid(2)
+        height, width = nnf.shape[0], nnf.shape[1]
+        if y >= height or x >= width:
+            return
+        best_y, best_x = np.int64(nnf[y, x, 0]), np.int64(nnf[y, x, 1])
+        if best_y >= 0:
+            for dy, dx in ((0, distance), (distance, 0), (0, -distance), (-distance, 0)):
+                near_y, near_x = y + dy, x + dx
+                if near_y < 0 or near_y >= height or near_x < 0 or near_x >= width:
+                    continue
+                if nnf[near_y, near_x, 0] < 0:
+                    continue
+                candidate_y, candidate_x = propagation_candidate(
+                    nnf[near_y, near_x, 0], nnf[near_y, near_x, 1], dy, dx,
+                    radius, omega.shape[0], omega.shape[1],
+                )  # fmt: skip
+                best_y, best_x = improve_assignment(
+                    source, target, weights, omega, occurrence_weight, y, x,
+                    np.int64(candidate_y), np.int64(candidate_x), best_y, best_x,
+                )  # fmt: skip
+        new_nnf[y, x, 0], new_nnf[y, x, 1] = best_y, best_x
+
+    @cuda.jit
+    def random_search_kernel(source, target, weights, omega, occurrence_weight, nnf, stream):
+        x, y = cuda.grid(2)
+        height, width = nnf.shape[0], nnf.shape[1]
+        if y >= height or x >= width or nnf[y, x, 0] < 0:
+            return
+        centre_y, centre_x = np.int64(nnf[y, x, 0]), np.int64(nnf[y, x, 1])
+        best_y, best_x = centre_y, centre_x
+        search_radius, k = 1, 0
+        while search_radius <= max(height, width) // 2:
+            words = random_words(stream, y * width + x, k)
+            candidate_y, candidate_x = random_candidate(
+                words[0], words[1], centre_y, centre_x, search_radius,
+                radius, omega.shape[0], omega.shape[1],
+            )  # fmt: skip
+            best_y, best_x = improve_assignment(
+                source, target, weights, omega, occurrence_weight, y, x,
+                np.int64(candidate_y), np.int64(candidate_x), best_y, best_x,
+            )  # fmt: skip
+            search_radius, k = 2 * search_radius, k + 1
+        nnf[y, x, 0], nnf[y, x, 1] = best_y, best_x
+
+    return propagation_kernel, random_search_kernel

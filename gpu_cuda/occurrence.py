@@ -1,0 +1,56 @@
+"""The occurrence map Ω of a whole NNF, and its sums over patches (thesis 2.1, 3.2).
+
+The thesis makes Ω on the host, since whole patches counted by atomics collide. Counting centres
+collides little, and two box sums do the rest on the device.
+"""
+
+from functools import lru_cache
+
+import numpy as np
+from numba import cuda
+
+from gpu_cuda.device import launch
+
+
+@cuda.jit
+def _fill_kernel(values, value):
+    x, y = cuda.grid(2)
+    if y < values.shape[0] and x < values.shape[1]:
+        values[y, x] = value
+
+
+@cuda.jit
+def _count_kernel(nnf, counts):
+    x, y = cuda.grid(2)
+    if y < nnf.shape[0] and x < nnf.shape[1] and nnf[y, x, 0] >= 0:
+        cuda.atomic.add(counts, (nnf[y, x, 0], nnf[y, x, 1]), 1)
+
+
+@lru_cache
+def make_box_sum_kernel(patch_width):
+    """Compile the sum over the patch around each pixel."""
+    radius = patch_width // 2
+
+    @cuda.jit
+    def box_sum_kernel(values, sums):
+        x, y = cuda.grid(2)
+        height, width = values.shape
+        if y >= height or x >= width:
+            return
+        total = np.int32(0)
+        for near_y in range(max(y - radius, 0), min(y + radius + 1, height)):
+            for near_x in range(max(x - radius, 0), min(x + radius + 1, width)):
+                total += values[near_y, near_x]
+        sums[y, x] = total
+
+    return box_sum_kernel
+
+
+def occurrence_map(nnf, omega, omega_sums, patch_width):
+    """As :func:`stylit_ref.passes.occurrence_map`, on device arrays."""
+    box_sum = make_box_sum_kernel(patch_width)
+    counts = omega_sums  # until the last step overwrites them
+    launch(_fill_kernel, counts.shape, counts, 0)
+    launch(_count_kernel, nnf.shape[:2], nnf, counts)
+    launch(box_sum, omega.shape, counts, omega)
+    launch(box_sum, omega.shape, omega, omega_sums)

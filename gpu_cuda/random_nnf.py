@@ -1,0 +1,26 @@
+"""Random initial assignments (Kernel_RandomNNF, thesis 3.4).
+
+Kernel_InitRandom has no counterpart: random numbers are counted, not carried
+(:mod:`stylit_ref.formulae.random_stream`).
+"""
+
+from numba import cuda
+
+from gpu_cuda.device import launch
+from gpu_cuda.formulae import random_words, uniform_below
+
+
+@cuda.jit
+def _random_nnf_kernel(nnf, radius, source_height, source_width, stream):
+    x, y = cuda.grid(2)
+    if y >= nnf.shape[0] or x >= nnf.shape[1] or nnf[y, x, 0] < 0:
+        return
+    words = random_words(stream, y * nnf.shape[1] + x, 0)
+    nnf[y, x, 0] = radius + uniform_below(words[0], source_height - 2 * radius)
+    nnf[y, x, 1] = radius + uniform_below(words[1], source_width - 2 * radius)
+
+
+def random_nnf(nnf, patch_width, source_height, source_width, stream):
+    """As :func:`stylit_ref.passes.random_nnf`, on device arrays."""
+    arguments = nnf, patch_width // 2, source_height, source_width, stream
+    launch(_random_nnf_kernel, nnf.shape[:2], *arguments)

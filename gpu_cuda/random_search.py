@@ -1,0 +1,67 @@
+"""Random search around each assignment (Kernel_RandomSearch, thesis 3.3, 5.1)."""
+
+from functools import lru_cache
+
+import numpy as np
+from numba import cuda
+
+from gpu_cuda.device import BLOCK, launch
+from gpu_cuda.formulae import make_improve_proposal, penalization, random_candidate, random_words
+from gpu_cuda.metric import constants, metric_arrays
+from gpu_cuda.shared_tile import fill_tile, tile_shape
+
+
+@lru_cache
+def make_kernel(patch_width, channels, mean_channels, block=BLOCK, shared=False):
+    """Compile Kernel_RandomSearch; parameters as for :func:`gpu_cuda.propagation.make_kernel`."""
+    radius = patch_width // 2
+    improve_proposal = make_improve_proposal(mean_channels)
+    tile = tile_shape(block, radius, channels)
+
+    @cuda.jit
+    def random_search_kernel(
+        source, target, weights, guide_map, target_sums, source_sums, omega_sums,
+        occurrence_weight, nnf, delta, new_nnf, new_delta, stream,
+    ):  # fmt: skip
+        x, y = cuda.grid(2)
+        patches, patch_y, patch_x = target, y, x
+        if shared:
+            patches = cuda.shared.array(tile, np.uint8)
+            patch_y, patch_x = cuda.threadIdx.y, cuda.threadIdx.x
+            fill_tile(target, patches, radius, y - patch_y, x - patch_x, patch_y, patch_x)
+            cuda.syncthreads()
+        height, width = delta.shape
+        if y >= height or x >= width:
+            return
+        best_y, best_x, best_delta = nnf[y, x, 0], nnf[y, x, 1], delta[y, x]
+        if best_y >= 0:
+            best_phi = best_delta + penalization(omega_sums, occurrence_weight, best_y, best_x)
+            search_radius, k = 1, 0
+            while search_radius <= max(height, width) // 2:
+                words = random_words(stream, y * width + x, k // 2)
+                first = k % 2 == 0
+                candidate_y, candidate_x = random_candidate(
+                    words[0] if first else words[2], words[1] if first else words[3],
+                    nnf[y, x, 0], nnf[y, x, 1], search_radius,
+                    radius, omega_sums.shape[0], omega_sums.shape[1],
+                )  # fmt: skip
+                best_y, best_x, best_delta, best_phi = improve_proposal(
+                    source, patches, weights, guide_map, target_sums, source_sums, omega_sums,
+                    occurrence_weight, patch_width, y, x, patch_y, patch_x,
+                    candidate_y, candidate_x, best_y, best_x, best_delta, best_phi,
+                )  # fmt: skip
+                search_radius, k = 2 * search_radius, k + 1
+        new_nnf[y, x, 0], new_nnf[y, x, 1], new_delta[y, x] = best_y, best_x, best_delta
+
+    return random_search_kernel
+
+
+def random_search(
+    textures, omega_sums, occurrence_weight, patch_width, nnf, delta, new_nnf, new_delta, stream
+):
+    """As :func:`stylit_ref.passes.random_search`, on device arrays."""
+    launch(
+        make_kernel(*constants(textures, patch_width)), delta.shape,
+        *metric_arrays(textures), omega_sums, occurrence_weight,
+        nnf, delta, new_nnf, new_delta, stream,
+    )  # fmt: skip

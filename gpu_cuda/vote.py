@@ -1,0 +1,101 @@
+"""Voting: target pixels from the source patches that cover them (Kernel_Vote, thesis 3.4)."""
+
+from functools import lru_cache
+
+import numpy as np
+from numba import cuda
+
+from gpu_cuda.device import launch
+
+
+@lru_cache
+def make_kernel(patch_width, style_channels, outliers):
+    """Compile Kernel_Vote; ``outliers`` votes farthest from the mean do not count."""
+    radius = patch_width // 2
+    most = patch_width * patch_width if outliers else 1
+
+    @cuda.jit
+    def vote_kernel(source, target, nnf, style_channel):
+        x, y = cuda.grid(2)
+        height, width = nnf.shape[0], nnf.shape[1]
+        if y >= height or x >= width:
+            return
+        totals = cuda.local.array(style_channels, np.int32)
+        for c in range(style_channels):
+            totals[c] = 0
+        votes = 0
+        for near_y in range(max(y - radius, 0), min(y + radius + 1, height)):
+            for near_x in range(max(x - radius, 0), min(x + radius + 1, width)):
+                if nnf[near_y, near_x, 0] < 0:
+                    continue
+                source_y = nnf[near_y, near_x, 0] + y - near_y
+                source_x = nnf[near_y, near_x, 1] + x - near_x
+                for c in range(style_channels):
+                    totals[c] += source[source_y, source_x, style_channel + c]
+                votes += 1
+        kept = votes
+        if outliers and votes:
+            distances = cuda.local.array(most, np.int64)
+            kept = max(votes - outliers, 1)
+            vote = 0
+            for near_y in range(max(y - radius, 0), min(y + radius + 1, height)):
+                for near_x in range(max(x - radius, 0), min(x + radius + 1, width)):
+                    if nnf[near_y, near_x, 0] < 0:
+                        continue
+                    source_y = nnf[near_y, near_x, 0] + y - near_y
+                    source_x = nnf[near_y, near_x, 1] + x - near_x
+                    distances[vote] = 0
+                    for c in range(style_channels):
+                        value = np.int64(source[source_y, source_x, style_channel + c])
+                        distances[vote] += (votes * value - totals[c]) ** 2
+                    vote += 1
+            for _ in range(votes - kept):
+                farthest = 0
+                for vote in range(1, votes):
+                    if distances[vote] > distances[farthest]:
+                        farthest = vote
+                distances[farthest] = -1
+            vote = 0
+            for near_y in range(max(y - radius, 0), min(y + radius + 1, height)):
+                for near_x in range(max(x - radius, 0), min(x + radius + 1, width)):
+                    if nnf[near_y, near_x, 0] < 0:
+                        continue
+                    if distances[vote] < 0:
+                        source_y = nnf[near_y, near_x, 0] + y - near_y
+                        source_x = nnf[near_y, near_x, 1] + x - near_x
+                        for c in range(style_channels):
+                            totals[c] -= source[source_y, source_x, style_channel + c]
+                    vote += 1
+        for c in range(style_channels):
+            mean = (2 * totals[c] + kept) // (2 * kept) if kept else 0
+            target[radius + y, radius + x, style_channel + c] = mean
+
+    return vote_kernel
+
+
+@cuda.jit
+def _repeat_edge_kernel(target, radius, first_channel, channels):
+    """Pixels of the border take the nearest pixel inside."""
+    x, y = cuda.grid(2)
+    height, width = target.shape[0], target.shape[1]
+    if y >= height or x >= width:
+        return
+    inside_y = min(max(y, radius), height - radius - 1)
+    inside_x = min(max(x, radius), width - radius - 1)
+    if inside_y != y or inside_x != x:
+        for c in range(first_channel, first_channel + channels):
+            target[y, x, c] = target[inside_y, inside_x, c]
+
+
+def vote(source, target, nnf, patch_width, style_channel, style_channels, outliers=0):
+    """As :func:`stylit_ref.passes.vote`, on device arrays."""
+    kernel = make_kernel(patch_width, style_channels, outliers)
+    launch(kernel, nnf.shape[:2], source, target, nnf, style_channel)
+    launch(
+        _repeat_edge_kernel,
+        target.shape[:2],
+        target,
+        patch_width // 2,
+        style_channel,
+        style_channels,
+    )
