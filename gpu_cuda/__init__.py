@@ -9,7 +9,9 @@ from gpu_cuda.commit import commit
 from gpu_cuda.energy import energy
 from gpu_cuda.guide_map import guide_map
 from gpu_cuda.means import means
+from gpu_cuda.memory import download, repeat_edge, upload, zeros
 from gpu_cuda.occurrence import occurrence_map
+from gpu_cuda.patch_moments import moments_storage, patch_moments
 from gpu_cuda.propagation import propagation
 from gpu_cuda.pyramid import downsample, upsample_nnf
 from gpu_cuda.random_nnf import random_nnf
@@ -19,15 +21,21 @@ from gpu_cuda.vote import vote
 
 __all__ = [
     "commit",
+    "download",
     "downsample",
     "energy",
     "guide_map",
     "means",
+    "moments_storage",
     "occurrence_map",
+    "patch_moments",
     "propagation",
     "random_nnf",
     "random_search",
+    "repeat_edge",
     "similarity",
+    "upload",
     "upsample_nnf",
     "vote",
+    "zeros",
 ]

@@ -13,8 +13,11 @@ from numba import cuda
 
 from gpu_cuda.device import launch_cooperative
 from gpu_cuda.formulae import commit_order, penalization
+from gpu_cuda.memory import empty
 from gpu_cuda.patch_penalization import make_atomic_updates
 from stylit_ref.formulae.commit_classes import CLASS_STRIDE
+
+CLASSES = CLASS_STRIDE**2, 2
 
 
 @lru_cache
@@ -35,11 +38,11 @@ def make_kernel(patch_width):
         moves,
     ):
         grid = cuda.cg.this_grid()
-        order = cuda.local.array((CLASS_STRIDE * CLASS_STRIDE, 2), np.int32)
+        order = cuda.local.array(CLASSES, np.int32)
         commit_order(stream, order)
         height, width = delta.shape
         thread, threads = cuda.grid(1), cuda.gridsize(1)
-        for n in range(CLASS_STRIDE * CLASS_STRIDE):
+        for n in range(CLASSES[0]):
             first_y, first_x = order[n, 0], order[n, 1]
             columns = (width - first_x + CLASS_STRIDE - 1) // CLASS_STRIDE
             pixels = (height - first_y + CLASS_STRIDE - 1) // CLASS_STRIDE * columns
@@ -76,12 +79,18 @@ def make_kernel(patch_width):
     return commit_kernel
 
 
+@lru_cache(maxsize=1)
+def _scratch(size):
+    """Which pixels moved, and their number: allocated once a level."""
+    return empty(size, np.bool_), empty(1, np.int32)
+
+
 def commit(
     nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, patch_width, stream
 ):
     """As :func:`stylit_ref.passes.commit`, on device arrays."""
-    moved = cuda.device_array(delta.shape, np.bool_)
-    moves = cuda.to_device(np.zeros(1, np.int32))
+    moved, moves = _scratch(delta.shape)
+    moves.copy_to_device(np.zeros(1, np.int32))
     launch_cooperative(
         make_kernel(patch_width),
         nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, stream,

@@ -1,15 +1,18 @@
 """Texture energy: the metric summed over all target patches (thesis 2.2)."""
 
+from functools import lru_cache
+
 import numpy as np
 from numba import cuda
 
 from gpu_cuda.device import launch
+from gpu_cuda.memory import empty
 
 ROWS_A_THREAD = 32
 
 
 @cuda.jit
-def _sum_columns_kernel(nnf, delta, omega_sums, sums):
+def sum_columns_kernel(nnf, delta, omega_sums, sums):
     x, chunk = cuda.grid(2)
     height, width = delta.shape
     if x >= width:
@@ -26,11 +29,18 @@ def _sum_columns_kernel(nnf, delta, omega_sums, sums):
         cuda.atomic.add(sums, (x, 2), patches)
 
 
+@lru_cache(maxsize=1)
+def _scratch(width):
+    """The sums of each column: allocated once a level."""
+    return empty((width, 3), np.int64)
+
+
 def energy(nnf, delta, omega_sums):
     """As :func:`stylit_ref.passes.energy`, on device arrays."""
     height, width = delta.shape
-    sums = cuda.to_device(np.zeros((width, 3), np.int64))
-    launch(_sum_columns_kernel, (-(-height // ROWS_A_THREAD), width), nnf, delta, omega_sums, sums)
+    sums = _scratch(width)
+    sums.copy_to_device(np.zeros((width, 3), np.int64))
+    launch(sum_columns_kernel, (-(-height // ROWS_A_THREAD), width), nnf, delta, omega_sums, sums)
     # Python's integers: the sum over all columns may pass 64 bits.
     total_delta, total_omega_sum, patches = sums.copy_to_host().astype(object).sum(axis=0)
     return total_delta / patches, total_omega_sum / patches

@@ -8,7 +8,7 @@ from stylit_ref.formulae.guide_map import variance_limit
 
 
 @cuda.jit
-def _guide_map_kernel(texture, sums, weights, patch_width, limit, white):
+def guide_map_kernel(texture, sums, weights, patch_width, limit, white):
     x, y = cuda.grid(2)
     if y < white.shape[0] and x < white.shape[1]:
         white[y, x] = scaled_variance(texture, sums[y, x], weights, y, x, patch_width) < limit
@@ -17,4 +17,4 @@ def _guide_map_kernel(texture, sums, weights, patch_width, limit, white):
 def guide_map(texture, sums, weights, patch_width, epsilon, white):
     """As :func:`stylit_ref.passes.guide_map`, on device arrays."""
     limit = variance_limit(epsilon, patch_width)
-    launch(_guide_map_kernel, white.shape, texture, sums, weights, patch_width, limit, white)
+    launch(guide_map_kernel, white.shape, texture, sums, weights, patch_width, limit, white)

@@ -7,7 +7,7 @@ from gpu_cuda.formulae import patch_sum
 
 
 @cuda.jit
-def _means_kernel(texture, sums, patch_width, first):
+def means_kernel(texture, sums, patch_width, first):
     x, y = cuda.grid(2)
     if y > texture.shape[0] - patch_width or x > texture.shape[1] - patch_width:
         return
@@ -17,4 +17,4 @@ def _means_kernel(texture, sums, patch_width, first):
 
 def means(texture, sums, patch_width, first):
     """As :func:`stylit_ref.passes.means`, on device arrays."""
-    launch(_means_kernel, texture.shape[:2], texture, sums, patch_width, first)
+    launch(means_kernel, texture.shape[:2], texture, sums, patch_width, first)

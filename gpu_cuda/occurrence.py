@@ -13,14 +13,14 @@ from gpu_cuda.device import launch
 
 
 @cuda.jit
-def _fill_kernel(values, value):
+def fill_kernel(values, value):
     x, y = cuda.grid(2)
     if y < values.shape[0] and x < values.shape[1]:
         values[y, x] = value
 
 
 @cuda.jit
-def _count_kernel(nnf, counts):
+def count_kernel(nnf, counts):
     x, y = cuda.grid(2)
     if y < nnf.shape[0] and x < nnf.shape[1] and nnf[y, x, 0] >= 0:
         cuda.atomic.add(counts, (nnf[y, x, 0], nnf[y, x, 1]), 1)
@@ -50,7 +50,7 @@ def occurrence_map(nnf, omega, omega_sums, patch_width):
     """As :func:`stylit_ref.passes.occurrence_map`, on device arrays."""
     box_sum = make_box_sum_kernel(patch_width)
     counts = omega_sums  # until the last step overwrites them
-    launch(_fill_kernel, counts.shape, counts, 0)
-    launch(_count_kernel, nnf.shape[:2], nnf, counts)
+    launch(fill_kernel, counts.shape, counts, 0)
+    launch(count_kernel, nnf.shape[:2], nnf, counts)
     launch(box_sum, omega.shape, counts, omega)
     launch(box_sum, omega.shape, omega, omega_sums)

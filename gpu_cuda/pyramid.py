@@ -5,10 +5,11 @@ from numba import cuda
 
 from gpu_cuda.device import launch
 from gpu_cuda.formulae import clamp
+from gpu_cuda.memory import empty
 
 
 @cuda.jit
-def _downsample_kernel(image, half):
+def downsample_kernel(image, half):
     x, y = cuda.grid(2)
     if y >= half.shape[0] or x >= half.shape[1]:
         return
@@ -25,13 +26,13 @@ def _downsample_kernel(image, half):
 def downsample(image):
     """As :func:`stylit_ref.passes.downsample`, on device arrays."""
     height, width, channels = image.shape
-    half = cuda.device_array((height // 2, width // 2, channels), np.uint8)
-    launch(_downsample_kernel, half.shape[:2], image, half)
+    half = empty((height // 2, width // 2, channels), np.uint8)
+    launch(downsample_kernel, half.shape[:2], image, half)
     return half
 
 
 @cuda.jit
-def _upsample_nnf_kernel(coarse_nnf, nnf, radius, source_height, source_width):
+def upsample_nnf_kernel(coarse_nnf, nnf, radius, source_height, source_width):
     x, y = cuda.grid(2)
     if y >= nnf.shape[0] or x >= nnf.shape[1] or nnf[y, x, 0] < 0:
         return
@@ -46,4 +47,4 @@ def _upsample_nnf_kernel(coarse_nnf, nnf, radius, source_height, source_width):
 def upsample_nnf(coarse_nnf, nnf, patch_width, source_height, source_width):
     """As :func:`stylit_ref.passes.upsample_nnf`, on device arrays."""
     arguments = coarse_nnf, nnf, patch_width // 2, source_height, source_width
-    launch(_upsample_nnf_kernel, nnf.shape[:2], *arguments)
+    launch(upsample_nnf_kernel, nnf.shape[:2], *arguments)

@@ -11,7 +11,7 @@ from gpu_cuda.formulae import random_words, uniform_below
 
 
 @cuda.jit
-def _random_nnf_kernel(nnf, radius, source_height, source_width, stream):
+def random_nnf_kernel(nnf, radius, source_height, source_width, stream):
     x, y = cuda.grid(2)
     if y >= nnf.shape[0] or x >= nnf.shape[1] or nnf[y, x, 0] < 0:
         return
@@ -23,4 +23,4 @@ def _random_nnf_kernel(nnf, radius, source_height, source_width, stream):
 def random_nnf(nnf, patch_width, source_height, source_width, stream):
     """As :func:`stylit_ref.passes.random_nnf`, on device arrays."""
     arguments = nnf, patch_width // 2, source_height, source_width, stream
-    launch(_random_nnf_kernel, nnf.shape[:2], *arguments)
+    launch(random_nnf_kernel, nnf.shape[:2], *arguments)

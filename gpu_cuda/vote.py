@@ -74,7 +74,7 @@ def make_kernel(patch_width, style_channels, outliers):
 
 
 @cuda.jit
-def _repeat_edge_kernel(target, radius, first_channel, channels):
+def repeat_edge_kernel(target, radius, first_channel, channels):
     """Pixels of the border take the nearest pixel inside."""
     x, y = cuda.grid(2)
     height, width = target.shape[0], target.shape[1]
@@ -92,7 +92,7 @@ def vote(source, target, nnf, patch_width, style_channel, style_channels, outlie
     kernel = make_kernel(patch_width, style_channels, outliers)
     launch(kernel, nnf.shape[:2], source, target, nnf, style_channel)
     launch(
-        _repeat_edge_kernel,
+        repeat_edge_kernel,
         target.shape[:2],
         target,
         patch_width // 2,

@@ -3,9 +3,9 @@
 >>> from stylit_ref import Params, read_uint8, stylize, write_image
 """
 
-from stylit_ref.bit_depth import to_uint8
+from importlib import import_module
+
 from stylit_ref.errors import InputError
-from stylit_ref.image_io import read_image, read_uint8, write_image
 from stylit_ref.params import PRESETS, Params
 from stylit_ref.profiling import Profile
 from stylit_ref.replaying import replay
@@ -27,3 +27,17 @@ __all__ = [
     "write_image",
 ]
 __version__ = "0.1.0"
+
+_IMAGES = {
+    "read_image": "image_io",
+    "read_uint8": "image_io",
+    "to_uint8": "bit_depth",
+    "write_image": "image_io",
+}
+
+
+def __getattr__(name):
+    """Image files on demand: synthesis itself, on a GPU machine say, needs no OpenImageIO."""
+    if name in _IMAGES:
+        return getattr(import_module(f"stylit_ref.{_IMAGES[name]}"), name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -10,6 +10,7 @@ import numpy as np
 from tqdm import tqdm
 
 from stylit_ref import __version__
+from stylit_ref.backends import BACKENDS, cuda_report
 from stylit_ref.checks import check_guides, check_mask
 from stylit_ref.errors import InputError
 from stylit_ref.image_io import (
@@ -134,7 +135,7 @@ def _parser():
         allow_abbrev=False,
     )
     parser.add_argument("--version", action="version", version=f"stylit-ref {__version__}")
-    commands = parser.add_subparsers(required=True, metavar="{run,replay}")
+    commands = parser.add_subparsers(required=True, metavar="{run,replay,doctor}")
 
     run = commands.add_parser(
         "run",
@@ -177,6 +178,10 @@ def _parser():
     method.add_argument(
         "--seed", type=int, default=0, help="same seed, same result (default %(default)s)"
     )
+    run.add_argument(
+        "--backend", choices=BACKENDS, default="cpu",
+        help="cpu; cuda for a GPU; auto for a GPU if there is one (default %(default)s)",
+    )  # fmt: skip
     run.add_argument("--threads", type=int, help="threads to use (default: all)")
     run.add_argument("--quiet", action="store_true", help="no progress bar")
     run.add_argument("--profile", action="store_true", help="print where the time went")
@@ -199,6 +204,14 @@ def _parser():
     again.add_argument(
         "--scale", type=int, default=1, help="how many times larger the style is (default 1)"
     )
+
+    doctor = commands.add_parser(
+        "doctor",
+        help="say what there is for a GPU",
+        description="Say what of a GPU's software is installed, and what is missing.",
+        allow_abbrev=False,
+    )
+    doctor.set_defaults(command=lambda _: print(*cuda_report(), sep="\n"))
     return parser
 
 
@@ -270,6 +283,7 @@ def _run(options):
             seed=options.seed,
             mask=mask,
             fill=fill,
+            backend=options.backend,
             threads=options.threads,
             progress=show,
             on_level=save_level,

@@ -21,7 +21,6 @@ What the text leaves open, and what is done here:
 """
 
 import numpy as np
-from scipy.optimize import least_squares
 
 SHARE = 0.9
 """Budget over the sum of all errors where no hyperbola can be fitted."""
@@ -48,6 +47,7 @@ def fit_hyperbola(x, y):
     RuntimeError
         If the fit does not converge.
     """
+    from scipy.optimize import least_squares  # here: it takes as long as a third of a start
 
     def residuals(ends):  # 1/f(0) and 1/f(1)
         return 1 / (ends[0] * (1 - x) + ends[1] * x) - y

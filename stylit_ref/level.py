@@ -33,13 +33,14 @@ class Level:
         with_guide_map = params.method == "guide_map"
         radius = self.patch_width // 2
         height, width = target.shape[:2]
-        padded = np.pad(target, ((radius, radius), (radius, radius), (0, 0)), mode="edge")
+        padded = passes.repeat_edge(target, radius)
+        lanes = len(packing.moments)
         self.textures = Textures(
             source=source,
             target=padded,
-            source_moments=zeros_from_a_cache_line(*source.shape[:2], len(packing.moments)),
-            target_moments=zeros_from_a_cache_line(height, width, len(packing.moments)),
-            weights=packing.weights,
+            source_moments=passes.moments_storage(*source.shape[:2], lanes),
+            target_moments=passes.moments_storage(height, width, lanes),
+            weights=passes.upload(packing.weights),
             pair_weights=packing.pair_weights,
             moment_weights=packing.moment_weights(self.patch_width, with_guide_map),
         )
@@ -49,10 +50,12 @@ class Level:
         passes.patch_moments(source, self.textures.source_moments, self.patch_width, radius, *style)
         passes.patch_moments(padded, self.textures.target_moments, self.patch_width, 0, *style)
 
-        self.nnf = np.where(synthesized[:, :, None], np.int32(0), np.int32(-1)).repeat(2, axis=2)
-        self.delta = np.zeros((height, width), np.int64)
-        self.proposed_nnf, self.proposed_delta = self.nnf.copy(), self.delta.copy()
-        self.omega, self.omega_sums = np.zeros((2, *source.shape[:2]), np.int32)
+        unassigned = np.where(synthesized[:, :, None], np.int32(0), np.int32(-1)).repeat(2, axis=2)
+        self.nnf, self.proposed_nnf = passes.upload(unassigned), passes.upload(unassigned.copy())
+        self.delta, self.proposed_delta = (
+            passes.zeros((height, width), np.int64) for _ in range(2)
+        )
+        self.omega, self.omega_sums = (passes.zeros(source.shape[:2], np.int32) for _ in range(2))
         self.occurrence_weight = occurrence_weight(
             params.uniformity,
             self.patch_width,
@@ -66,9 +69,9 @@ class Level:
         size = target.shape[0] - 2 * radius, target.shape[1] - 2 * radius
         guides, dtype = self.packing.style_channel, sums_dtype(self.patch_width)
         self.textures = self.textures._replace(
-            guide_map=np.empty(size, bool),
-            source_sums=np.zeros((*source.shape[:2], guides), dtype),
-            target_sums=np.zeros((*size, guides), dtype),
+            guide_map=self.passes.zeros(size, np.bool_),
+            source_sums=self.passes.zeros((*source.shape[:2], guides), dtype),
+            target_sums=self.passes.zeros((*size, guides), dtype),
             style_pair_weights=self.packing.style_pair_weights,
         )
         self.passes.means(source, self.textures.source_sums, self.patch_width, radius)
@@ -76,7 +79,7 @@ class Level:
         self.passes.guide_map(
             target,
             self.textures.target_sums,
-            self.packing.weights,
+            self.textures.weights,
             self.patch_width,
             epsilon,
             self.textures.guide_map,
@@ -84,9 +87,10 @@ class Level:
 
     @property
     def style(self):
-        """The synthesized style B' as it stands, (H_B, W_B, n) uint8 view."""
+        """The synthesized style B' as it stands, (H_B, W_B, n) uint8, NumPy's."""
         radius = self.patch_width // 2
-        return self.packing.style(self.textures.target)[radius:-radius, radius:-radius]
+        target = self.passes.download(self.textures.target)
+        return self.packing.style(target)[radius:-radius, radius:-radius]
 
     def init_occurrence_map(self):
         """InitOccurrenceMap (2.3): Ω and W of the NNF as it stands."""
@@ -127,12 +131,3 @@ class Level:
         """Mean δ and mean λρ, in the thesis' units."""
         delta, omega_sum = self.passes.energy(self.nnf, self.delta, self.omega_sums)
         return delta / ONE, self.occurrence_weight * omega_sum / ONE
-
-
-def zeros_from_a_cache_line(*shape):
-    """An int16 array of zeros whose first element starts a cache line."""
-    line = 64 // 2
-    size = int(np.prod(shape))
-    buffer = np.zeros(size + line, np.int16)
-    first = -(buffer.ctypes.data // 2) % line
-    return buffer[first : first + size].reshape(shape)

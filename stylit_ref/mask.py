@@ -30,6 +30,23 @@ def active_patches(mask, patch_width):
     return dilation(~mask, footprint_rectangle((patch_width, patch_width)))
 
 
+def downsample_mask(synthesized):
+    """Halve a map of what is synthesized: a pixel is where any that descends from it is.
+
+    Parameters
+    ----------
+    synthesized : (H, W) bool
+
+    Returns
+    -------
+    (H // 2, W // 2) bool
+    """
+    rows, columns = (np.arange(0, size - 1, 2) for size in synthesized.shape)
+    return np.logical_or.reduceat(
+        np.logical_or.reduceat(synthesized, rows, axis=0), columns, axis=1
+    )
+
+
 def fill_masked(image, mask, fill):
     """Show ``fill`` in the masked pixels, or make them transparent.
 

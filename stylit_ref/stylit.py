@@ -24,7 +24,6 @@ import numpy as np
 
 from stylit_ref.error_budget import correspondences_within_budget
 from stylit_ref.formulae.random_stream import RETRIEVAL_NNF, RETRIEVAL_SEARCH, random_stream
-from stylit_ref.level import zeros_from_a_cache_line
 from stylit_ref.passes.claims import CLAIMED, FIXED, FREE
 from stylit_ref.patchmatch import PROPAGATION_DISTANCES, propose_commit
 from stylit_ref.search import SearchStep
@@ -97,8 +96,8 @@ class Retrieval:
         self.textures = level.textures._replace(
             source=target,
             target=source,
-            source_moments=zeros_from_a_cache_line(*target.shape[:2], lanes),
-            target_moments=zeros_from_a_cache_line(*patches, lanes),
+            source_moments=passes.moments_storage(*target.shape[:2], lanes),
+            target_moments=passes.moments_storage(*patches, lanes),
         )
         style = packing.style_channel, packing.style_channels
         passes.patch_moments(target, self.textures.source_moments, width, radius, *style)

@@ -8,7 +8,7 @@ from numbers import Integral
 import numba
 import numpy as np
 
-from stylit_ref import passes
+from stylit_ref.backends import passes_of
 from stylit_ref.checks import as_image, check_guides, check_mask, check_range, fit_levels
 from stylit_ref.errors import InputError
 from stylit_ref.mask import active_patches, fill_masked
@@ -84,7 +84,9 @@ def stylize(
     fill : array like the output, optional
         What masked pixels show; without it they are transparent and the image gains
         an alpha channel if the style has none.
-    backend : {"cpu"}
+    backend : {"cpu", "cuda", "auto"}
+        Where to compute; the bytes are the same. ``auto`` takes a GPU if there is one for the
+        method.
     threads : int, optional
         Threads to use; all by default.
     progress : callable, optional
@@ -104,8 +106,7 @@ def stylize(
         If arrays or parameters do not fit together; the message names the sizes.
     """
     params = params or Params()
-    if backend != "cpu":
-        raise InputError(f"backend is {backend!r}; only 'cpu' is available")
+    passes = passes_of(backend, params)
     if not isinstance(seed, Integral) or not 0 <= seed < 1 << 64:
         raise InputError(f"seed is {seed}; it must be an integer from 0 to 2**64 - 1")
 
@@ -146,7 +147,7 @@ def stylize(
 
     def report_level(number, level):
         if params.method == "guide_map":
-            guide_maps.append(level.textures.guide_map)
+            guide_maps.append(passes.download(level.textures.guide_map))
         if on_level:
             on_level(number, _shaped_like(style, level.style))
 
@@ -165,9 +166,9 @@ def stylize(
     image = fill_masked(finest.style, mask, fill) if masked else finest.style
     return Result(
         image=_shaped_like(style, image),
-        nnf=finest.nnf,
-        omega=finest.omega,
-        error=np.where(synthesized, finest.delta / ONE, np.nan).astype(np.float32),
+        nnf=passes.download(finest.nnf),
+        omega=passes.download(finest.omega),
+        error=np.where(synthesized, passes.download(finest.delta) / ONE, np.nan).astype(np.float32),
         history=tuple(history),
         guide_maps=tuple(guide_maps),
     )

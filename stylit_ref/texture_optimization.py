@@ -11,6 +11,7 @@ import numpy as np
 from stylit_ref import patchmatch, stylit
 from stylit_ref.formulae.random_stream import RANDOM_NNF, random_stream
 from stylit_ref.level import Level
+from stylit_ref.mask import downsample_mask
 from stylit_ref.packing import Packing
 from stylit_ref.params import Params
 
@@ -82,7 +83,7 @@ def texture_optimization(
     Parameters
     ----------
     passes : module
-        :mod:`stylit_ref.passes`.
+        :mod:`stylit_ref.passes`, or those of a GPU.
     source, target : (H, W, C) uint8
         Packed textures Ā and B̄.
     synthesized : (H_B, W_B) bool
@@ -101,11 +102,11 @@ def texture_optimization(
     Level
         The finest, voted.
     """
-    sources, targets, where = [source], [target], [synthesized]
+    sources, targets, where = [passes.upload(source)], [passes.upload(target)], [synthesized]
     for _ in range(params.levels - 1):
         sources.append(passes.downsample(sources[-1]))
         targets.append(passes.downsample(targets[-1]))
-        where.append(passes.downsample_mask(where[-1]))
+        where.append(downsample_mask(where[-1]))
     work = [np.count_nonzero(level_where) for level_where in where]
     all_work = sum(pixels * params.votes_above(depth) for depth, pixels in enumerate(work))
     search = SEARCHES[params.method]

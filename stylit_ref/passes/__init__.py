@@ -5,10 +5,11 @@ from stylit_ref.passes.commit import commit
 from stylit_ref.passes.energy import energy
 from stylit_ref.passes.guide_map import guide_map
 from stylit_ref.passes.means import means
+from stylit_ref.passes.memory import download, repeat_edge, upload, zeros
 from stylit_ref.passes.occurrence import box_sum, count_assignments, occurrence_map
-from stylit_ref.passes.patch_moments import patch_moments
+from stylit_ref.passes.patch_moments import moments_storage, patch_moments
 from stylit_ref.passes.propagation import propagation
-from stylit_ref.passes.pyramid import downsample, downsample_mask, upsample_nnf
+from stylit_ref.passes.pyramid import downsample, upsample_nnf
 from stylit_ref.passes.random_nnf import random_nnf
 from stylit_ref.passes.random_search import random_search
 from stylit_ref.passes.replay_vote import replay_vote
@@ -20,21 +21,25 @@ __all__ = [
     "box_sum",
     "commit",
     "count_assignments",
+    "download",
     "downsample",
-    "downsample_mask",
     "energy",
     "guide_map",
     "invert_nnf",
     "means",
+    "moments_storage",
     "occurrence_map",
     "patch_moments",
     "propagation",
     "random_nnf",
     "random_search",
+    "repeat_edge",
     "replay_vote",
     "scanline",
     "settle_claims",
     "similarity",
+    "upload",
     "upsample_nnf",
     "vote",
+    "zeros",
 ]

@@ -5,7 +5,7 @@ from functools import lru_cache
 import numpy as np
 from numba import get_num_threads, prange
 
-from stylit_ref.formulae.patch_moments import POLYNOMIALS, moment_width
+from stylit_ref.formulae.patch_moments import LINE_LANES, POLYNOMIALS, moment_width
 from stylit_ref.kernel import kernel
 
 
@@ -87,3 +87,20 @@ def patch_moments(
     run = _make_kernel(patch_width, texture.shape[2], style_channel, style_channels)
     columns = np.empty((get_num_threads(), 3, *texture.shape[1:]), np.int16)
     run(texture, moments, first, style_channel if style_only else 0, columns)
+
+
+def moments_storage(height, width, lanes):
+    """Zeros for the moments of as many patches, the first at the start of a cache line.
+
+    Parameters
+    ----------
+    height, width, lanes : int
+
+    Returns
+    -------
+    (height, width, lanes) int16
+    """
+    size = height * width * lanes
+    buffer = np.zeros(size + LINE_LANES, np.int16)
+    first = -(buffer.ctypes.data // 2) % LINE_LANES
+    return buffer[first : first + size].reshape(height, width, lanes)

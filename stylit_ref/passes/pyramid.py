@@ -43,23 +43,6 @@ def downsample(image):
     return half
 
 
-def downsample_mask(synthesized):
-    """Halve a map of what is synthesized: a pixel is where any that descends from it is.
-
-    Parameters
-    ----------
-    synthesized : (H, W) bool
-
-    Returns
-    -------
-    (H // 2, W // 2) bool
-    """
-    rows, columns = (np.arange(0, size - 1, 2) for size in synthesized.shape)
-    return np.logical_or.reduceat(
-        np.logical_or.reduceat(synthesized, rows, axis=0), columns, axis=1
-    )
-
-
 @kernel()
 def upsample_nnf(coarse_nnf, nnf, patch_width, source_height, source_width):
     """Carry assignments to the next finer level.

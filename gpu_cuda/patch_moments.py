@@ -1,0 +1,15 @@
+"""Moments of every patch: none here.
+
+On the CPU they bound δ from below and spare most candidates. The kernels evaluate δ itself, as
+those of the thesis, with the same decisions.
+"""
+
+
+def moments_storage(height, width, lanes):
+    """As :func:`stylit_ref.passes.moments_storage`: nothing."""
+
+
+def patch_moments(
+    texture, moments, patch_width, first, style_channel, style_channels, style_only=False
+):
+    """As :func:`stylit_ref.passes.patch_moments`: nothing to do."""

@@ -1,0 +1,96 @@
+"""Every kernel as PTX, for a device that need not be there.
+
+``python -m gpu_cuda.ptx FOLDER`` writes one file a kernel and compute capability. What the
+simulator cannot know shows here: types that do not fit, and with ``ptxas`` registers, shared
+memory and spills.
+"""
+
+import sys
+from importlib import import_module
+from pathlib import Path
+from types import SimpleNamespace
+from unittest import mock
+
+from numba import cuda, types
+
+from gpu_cuda import live
+
+CAPABILITIES = ((7, 5), (9, 0))
+BLOCK = 32, 32
+"""Of the thesis (4.1)."""
+
+_IMAGE, _SUMS = types.uint8[:, :, ::1], types.uint16[:, :, ::1]
+_WEIGHTS, _MAP, _WHITE = types.int64[::1], types.int32[:, ::1], types.boolean[:, ::1]
+_NNF, _DELTA = types.int32[:, :, ::1], types.int64[:, ::1]
+_INT, _STREAM = types.int64, types.UniTuple(types.uint32, 4)
+_METRIC = _IMAGE, _IMAGE, _WEIGHTS, _WHITE, _SUMS, _SUMS
+_SEARCH = *_METRIC, _MAP, _INT, _NNF, _DELTA, _NNF, _DELTA
+
+
+def kernels(patch_width=5, channels=32, style_channels=3, guide_channels=16):
+    """Name, kernel and argument types of every kernel, at the thesis' sizes by default."""
+    part = {name: import_module(f"gpu_cuda.{name}") for name in _MODULES}
+    for name, parameter in (("propagation", _INT), ("random_search", _STREAM)):
+        make_kernel, arguments = part[name].make_kernel, (*_SEARCH, parameter)
+        yield name, make_kernel(patch_width, channels, 0, BLOCK), arguments
+        yield f"{name}, shared", make_kernel(patch_width, channels, 0, BLOCK, True), arguments
+        with_map = make_kernel(patch_width, channels, guide_channels, BLOCK)
+        yield f"{name}, guide map", with_map, arguments
+    for with_sums, name in ((False, "Ω"), (True, "W")):
+        propagation, random_search = live.make_kernels(patch_width, with_sums)
+        arguments = _IMAGE, _IMAGE, _WEIGHTS, _MAP, _INT, _NNF
+        yield f"live propagation, {name}", propagation, (*arguments, _NNF, _INT)
+        yield f"live random search, {name}", random_search, (*arguments, _STREAM)
+    commit = _NNF, _DELTA, _NNF, _DELTA, _MAP, _INT, _STREAM, _WHITE, types.int32[::1]
+    yield "commit", part["commit"].make_kernel(patch_width), commit
+    for outliers in (0, 4):
+        vote = part["vote"].make_kernel(patch_width, style_channels, outliers)
+        name = "vote, 4 outliers left out" if outliers else "vote"
+        yield name, vote, (_IMAGE, _IMAGE, _NNF, _INT)
+    yield "repeat edge", part["vote"].repeat_edge_kernel, (_IMAGE, _INT, _INT, _INT)
+    for mean_channels, name in ((0, "similarity"), (guide_channels, "similarity, guide map")):
+        similarity = part["similarity"].make_kernel(patch_width, mean_channels)
+        yield name, similarity, (*_METRIC, _NNF, _DELTA)
+    yield "means", part["means"].means_kernel, (_IMAGE, _SUMS, _INT, _INT)
+    guide_map = _IMAGE, _SUMS, _WEIGHTS, _INT, _INT, _WHITE
+    yield "guide map", part["guide_map"].guide_map_kernel, guide_map
+    yield "downsample", part["pyramid"].downsample_kernel, (_IMAGE, _IMAGE)
+    yield "upsample NNF", part["pyramid"].upsample_nnf_kernel, (_NNF, _NNF, _INT, _INT, _INT)
+    yield "random NNF", part["random_nnf"].random_nnf_kernel, (_NNF, _INT, _INT, _INT, _STREAM)
+    yield "fill", part["occurrence"].fill_kernel, (_MAP, _INT)
+    yield "count assignments", part["occurrence"].count_kernel, (_NNF, _MAP)
+    yield "box sum", part["occurrence"].make_box_sum_kernel(patch_width), (_MAP, _MAP)
+    yield "energy", part["energy"].sum_columns_kernel, (_NNF, _DELTA, _MAP, types.int64[:, ::1])
+    yield "pad", part["memory"].repeat_edge_kernel, (_IMAGE, _IMAGE, _INT)
+
+
+_MODULES = (
+    "commit", "energy", "guide_map", "means", "memory", "occurrence", "propagation", "pyramid",
+    "random_nnf", "random_search", "similarity", "vote",
+)  # fmt: skip
+
+
+def compile_to_ptx(kernel, arguments, capability):
+    """PTX of a kernel for a compute capability, whatever device there is."""
+    # Numba compiles the functions that a kernel calls for the current device: name one.
+    device = SimpleNamespace(compute_capability=capability)
+    with mock.patch("numba.cuda.dispatcher.get_current_device", return_value=device):
+        ptx, _ = cuda.compile(
+            kernel.py_func, types.void(*arguments), cc=capability, device=False, abi="numba"
+        )
+    return ptx
+
+
+def main():
+    """Write all of them below a folder, ``NAME.MAJOR_MINOR.ptx``."""
+    folder = Path(sys.argv[1])
+    folder.mkdir(parents=True, exist_ok=True)
+    for capability in CAPABILITIES:
+        for name, kernel, arguments in kernels():
+            ptx = compile_to_ptx(kernel, arguments, capability)
+            suffix = "_".join(map(str, capability))
+            (folder / f"{name}.{suffix}.ptx").write_text(ptx, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,50 @@
+"""Where the arrays of a run live: on the CPU they are where they were."""
+
+import numpy as np
+
+
+def upload(array):
+    """The array in the memory that the passes work on.
+
+    Parameters
+    ----------
+    array : array
+    """
+    return np.ascontiguousarray(array)
+
+
+def download(array):
+    """An array of the passes as NumPy's.
+
+    Parameters
+    ----------
+    array : array
+        As the passes made it, or :func:`upload`.
+    """
+    return array
+
+
+def zeros(shape, dtype):
+    """An array of zeros for the passes.
+
+    Parameters
+    ----------
+    shape : tuple of int
+    dtype : dtype
+    """
+    return np.zeros(shape, dtype)
+
+
+def repeat_edge(image, radius):
+    """An image with its edge pixels repeated ``radius`` times on every side.
+
+    Parameters
+    ----------
+    image : (H, W, C) uint8
+    radius : int
+
+    Returns
+    -------
+    (H + 2 radius, W + 2 radius, C) uint8
+    """
+    return np.pad(image, ((radius, radius), (radius, radius), (0, 0)), mode="edge")

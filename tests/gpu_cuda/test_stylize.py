@@ -1,0 +1,78 @@
+"""A whole stylization on the device is the CPU's, byte for byte."""
+
+import numpy as np
+import pytest
+from small_scene import small_scene
+
+from gpu_cuda import doctor
+from gpu_cuda.device import SIMULATED
+from stylit_ref import InputError, Params, Profile, stylize
+from stylit_ref.cli import main
+
+SCENE = {"source_size": (22, 24), "target_size": (21, 23)}
+QUICK = {"levels": 2, "votes": 2, "patchmatch_iterations": 1}
+
+
+@pytest.mark.parametrize(
+    "values",
+    [{}, {"uniformity": 0, "vote_outliers": 3}, {"method": "guide_map", "epsilon": 200.0}],
+    ids=str,
+)
+def test_same_bytes_on_cpu_and_device(values):
+    mask = np.zeros((21, 23), bool)
+    mask[:6, 9:] = "method" in values
+    scene, params = small_scene(**SCENE), Params(**(QUICK | values))
+    host, device = (
+        stylize(*scene, params, seed=3, mask=mask, backend=backend) for backend in ("cpu", "cuda")
+    )
+    for name in ("image", "nnf", "omega", "error"):
+        np.testing.assert_array_equal(getattr(device, name), getattr(host, name), err_msg=name)
+    assert device.history == host.history
+    for ours, theirs in zip(device.guide_maps, host.guide_maps, strict=True):
+        np.testing.assert_array_equal(ours, theirs)
+
+
+def test_transfers_happen_at_the_ends():
+    profile = Profile()
+    stylize(*small_scene(**SCENE), Params(**QUICK), backend="cuda", profile=profile)
+    assert profile.calls["download"] == 4  # image, NNF, Ω, error
+    assert profile.calls["commit"] == 2 * 2 * 4
+
+
+@pytest.mark.parametrize("values", [{"method": "stylit"}, {"schedule": "scanline"}], ids=str)
+def test_methods_without_kernels_are_refused_or_run_on_the_cpu(values):
+    scene, params = small_scene(**SCENE), Params(**(QUICK | values))
+    with pytest.raises(InputError, match="there are no kernels for"):
+        stylize(*scene, params, backend="cuda")
+    host, automatic = (stylize(*scene, params, backend=backend) for backend in ("cpu", "auto"))
+    np.testing.assert_array_equal(automatic.nnf, host.nnf)
+
+
+def test_doctor_names_the_device(capsys):
+    assert main(["doctor"]) == 0
+    said = capsys.readouterr().out
+    assert "numba " in said
+    assert ("simulator" in said) == SIMULATED
+
+
+@pytest.mark.skipif(not SIMULATED, reason="a GPU's memory is too large to fill here")
+def test_a_full_device_is_one_sentence(monkeypatch):
+    def refuse(*_):
+        raise RuntimeError("[2] Call to cuMemAlloc results in CUDA_ERROR_OUT_OF_MEMORY")
+
+    class Context:
+        @staticmethod
+        def get_memory_info():
+            return 3 << 20, 100 << 20
+
+    monkeypatch.setattr("gpu_cuda.memory.cuda.device_array", refuse)
+    monkeypatch.setattr("gpu_cuda.memory.cuda.to_device", refuse)
+    monkeypatch.setattr("gpu_cuda.memory.cuda.current_context", Context)
+    with pytest.raises(InputError, match=r"the GPU has 3 of 100 MiB free and needs \d+ more"):
+        stylize(*small_scene(**SCENE), Params(**QUICK), backend="cuda")
+
+
+def test_a_missing_gpu_is_one_sentence(monkeypatch):
+    monkeypatch.setattr(doctor, "missing", lambda: "there is no GPU that CUDA can use: none")
+    with pytest.raises(InputError, match="backend is 'cuda' but there is no GPU"):
+        stylize(*small_scene(**SCENE), Params(**QUICK), backend="cuda")
