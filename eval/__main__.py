@@ -26,7 +26,9 @@ REPORTS_ON_A_SCENE = {
 def main(arguments=None):
     """Write one of the reports; returns the exit code."""
     parser = argparse.ArgumentParser(prog="python -m eval", description=__doc__)
-    parser.add_argument("report", choices=(*REPORTS_ON_A_SCENE, "bench", "scenes", "spilling"))
+    parser.add_argument(
+        "report", choices=(*REPORTS_ON_A_SCENE, "schedules", "bench", "scenes", "spilling")
+    )
     parser.add_argument(
         "--scene", default=DEFAULT,
         help=f"TARGET/STYLE, for spilling several with commas between, or a folder of yours "

@@ -107,6 +107,7 @@ def stylize(
     """
     params = params or Params()
     passes = passes_of(backend, params)
+    passes = profile.passes(passes) if profile else passes
     if not isinstance(seed, Integral) or not 0 <= seed < 1 << 64:
         raise InputError(f"seed is {seed}; it must be an integer from 0 to 2**64 - 1")
 
@@ -153,7 +154,7 @@ def stylize(
 
     with _threads(threads):
         finest = texture_optimization(
-            profile.passes(passes) if profile else passes,
+            passes,
             packing.pack(sources, style_image),
             packing.pack(targets),
             synthesized,

@@ -9,7 +9,7 @@ from gpu_cuda.device import SIMULATED
 from stylit_ref import InputError, Params, Profile, stylize
 from stylit_ref.cli import main
 
-SCENE = {"source_size": (22, 24), "target_size": (21, 23)}
+SCENE = {"source_size": (14, 16), "target_size": (13, 15)}
 QUICK = {"levels": 2, "votes": 2, "patchmatch_iterations": 1}
 
 
@@ -19,8 +19,8 @@ QUICK = {"levels": 2, "votes": 2, "patchmatch_iterations": 1}
     ids=str,
 )
 def test_same_bytes_on_cpu_and_device(values):
-    mask = np.zeros((21, 23), bool)
-    mask[:6, 9:] = "method" in values
+    mask = np.zeros((13, 15), bool)
+    mask[:4, 7:] = "method" in values
     scene, params = small_scene(**SCENE), Params(**(QUICK | values))
     host, device = (
         stylize(*scene, params, seed=3, mask=mask, backend=backend) for backend in ("cpu", "cuda")
