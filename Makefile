@@ -10,7 +10,7 @@ DATA ?= data_gen/bundled
 SIZE ?= 1200x912
 ARGS ?=
 
-.PHONY: eval schedules epsilon stylit spilling bench scenes test lint data help clean
+.PHONY: eval schedules epsilon stylit spilling bench scenes test test-gpu ptx lint data help clean
 
 eval: $(VENV)/eval.installed ## λ report of a scene
 	$(BIN)/python -m eval lambda --scene "$(SCENE)" --data "$(DATA)" $(ARGS)
@@ -36,21 +36,29 @@ scenes: $(VENV)/eval.installed ## contact sheets, and every target in every styl
 data: $(VENV)/render.installed ## render scenes and styles: SIZE=1200x912, SCENES=teapot,house
 	$(BIN)/python -m data_gen --size "$(SIZE)" $(if $(SCENES),--scenes "$(SCENES)") $(ARGS)
 
-test: $(VENV)/test.installed ## all tests
+test: $(VENV)/test.installed ## all tests; those of the CUDA kernels in Numba's simulator
 	$(BIN)/python -m pytest $(ARGS)
+	NUMBA_ENABLE_CUDASIM=1 $(BIN)/python -m pytest tests/gpu_cuda
+
+test-gpu: $(VENV)/gpu.installed $(VENV)/test.installed ## tests of the CUDA kernels on a GPU, and its times
+	$(BIN)/python -m pytest tests/gpu_cuda
+	$(BIN)/python -m eval.gpu_record $(ARGS)
+
+ptx: .venv-ptx/ptx.installed ## every CUDA kernel compiled, no GPU needed
+	.venv-ptx/bin/python -m eval.ptx_report
 
 lint: $(VENV)/lint.installed ## ruff and import contracts
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/lint-imports
 
-$(VENV)/%.installed: pyproject.toml
-	test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable ".[$*]"
+%.installed: pyproject.toml
+	test -x $(@D)/bin/python || $(PYTHON) -m venv $(@D)
+	$(@D)/bin/python -m pip install --quiet --disable-pip-version-check --editable ".[$(*F)]"
 	touch $@
 
 help:
 	@grep -E '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## */\t/'
 
 clean: ## remove the environment and cached runs
-	rm -rf $(VENV) build
+	rm -rf $(VENV) .venv-ptx build

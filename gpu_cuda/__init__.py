@@ -8,6 +8,7 @@ simulator.
 from gpu_cuda.commit import commit
 from gpu_cuda.energy import energy
 from gpu_cuda.guide_map import guide_map
+from gpu_cuda.live import live_propagation, live_random_search
 from gpu_cuda.means import means
 from gpu_cuda.memory import download, repeat_edge, upload, zeros
 from gpu_cuda.occurrence import occurrence_map
@@ -25,6 +26,8 @@ __all__ = [
     "downsample",
     "energy",
     "guide_map",
+    "live_propagation",
+    "live_random_search",
     "means",
     "moments_storage",
     "occurrence_map",

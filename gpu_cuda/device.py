@@ -1,13 +1,27 @@
 """What a kernel needs of the machine: blocks, and formulae that it can call."""
 
 import numpy as np
-from numba import config
+from numba import config, cuda
 
 SIMULATED = bool(config.ENABLE_CUDASIM)
 """Whether kernels run in Numba's simulator (``NUMBA_ENABLE_CUDASIM=1``), thread after thread."""
 
 BLOCK = (8, 8) if SIMULATED else (32, 8)
 """Threads of a block along x and y."""
+
+
+REGISTERS = 65536
+"""Of a multiprocessor, 32 bits each, for all threads of a block together."""
+
+
+def compiled_for(block):
+    """Decorator of a kernel whose blocks have as many threads: each gets its share of registers.
+
+    Without a limit a kernel of this package takes up to 166, and a block of 32 x 32 threads with
+    more than 64 each cannot be launched at all.
+    """
+    share = REGISTERS // (block[0] * block[1])
+    return cuda.jit(max_registers=share) if share < 255 else cuda.jit
 
 
 def formula(function):

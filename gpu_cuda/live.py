@@ -14,6 +14,7 @@ from functools import lru_cache
 import numpy as np
 from numba import cuda
 
+from gpu_cuda.device import launch
 from gpu_cuda.formulae import (
     delta,
     patch_omega,
@@ -110,3 +111,36 @@ def make_kernels(patch_width, with_sums):
         nnf[y, x, 0], nnf[y, x, 1] = best_y, best_x
 
     return propagation_kernel, random_search_kernel
+
+
+def live_propagation(
+    textures, occurrences, are_sums, occurrence_weight, patch_width, nnf, new_nnf, distance
+):
+    """Kernel_Propagation of 3.3, Ω (or W, if ``are_sums``) following by atomics.
+
+    Parameters
+    ----------
+    textures : Textures
+    occurrences : (H_A, W_A) int32
+    are_sums : bool
+    occurrence_weight, patch_width : int
+    nnf, new_nnf : (H_B, W_B, 2) int32
+        NNF and NNF' of the thesis.
+    distance : int
+    """
+    kernel, _ = make_kernels(patch_width, are_sums)
+    launch(
+        kernel, nnf.shape[:2], textures.source, textures.target, textures.weights,
+        occurrences, occurrence_weight, nnf, new_nnf, distance,
+    )  # fmt: skip
+
+
+def live_random_search(
+    textures, occurrences, are_sums, occurrence_weight, patch_width, nnf, stream
+):
+    """Kernel_RandomSearch of 3.3, parameters as for :func:`live_propagation`."""
+    _, kernel = make_kernels(patch_width, are_sums)
+    launch(
+        kernel, nnf.shape[:2], textures.source, textures.target, textures.weights,
+        occurrences, occurrence_weight, nnf, stream,
+    )  # fmt: skip

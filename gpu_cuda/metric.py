@@ -5,6 +5,8 @@ from functools import cache
 import numpy as np
 from numba import cuda
 
+from gpu_cuda.device import BLOCK, launch
+
 
 def constants(textures, patch_width):
     """What the search is compiled for: patch width, packed channels, channels with means."""
@@ -18,6 +20,18 @@ def metric_arrays(textures):
     if textures.guide_map is None:
         means = _no_means()
     return textures.source, textures.target, textures.weights, *means
+
+
+def launch_search(
+    make_kernel, textures, omega_sums, occurrence_weight, patch_width,
+    nnf, delta, new_nnf, new_delta, parameter, block=BLOCK, shared=False,
+):  # fmt: skip
+    """Run Kernel_Propagation or Kernel_RandomSearch; ``parameter`` is its last argument."""
+    launch(
+        make_kernel(*constants(textures, patch_width), block, shared), delta.shape,
+        *metric_arrays(textures), omega_sums, occurrence_weight,
+        nnf, delta, new_nnf, new_delta, parameter, block=block,
+    )  # fmt: skip
 
 
 @cache

@@ -5,9 +5,9 @@ from functools import lru_cache
 import numpy as np
 from numba import cuda
 
-from gpu_cuda.device import BLOCK, launch
+from gpu_cuda.device import BLOCK, compiled_for
 from gpu_cuda.formulae import make_improve_proposal, penalization, propagation_candidate
-from gpu_cuda.metric import constants, metric_arrays
+from gpu_cuda.metric import launch_search
 from gpu_cuda.shared_tile import fill_tile, tile_shape
 
 
@@ -28,7 +28,7 @@ def make_kernel(patch_width, channels, mean_channels, block=BLOCK, shared=False)
     improve_proposal = make_improve_proposal(mean_channels)
     tile = tile_shape(block, radius, channels)
 
-    @cuda.jit
+    @compiled_for(block)
     def propagation_kernel(
         source, target, weights, guide_map, target_sums, source_sums, omega_sums,
         occurrence_weight, nnf, delta, new_nnf, new_delta, distance,
@@ -70,8 +70,7 @@ def propagation(
     textures, omega_sums, occurrence_weight, patch_width, nnf, delta, new_nnf, new_delta, distance
 ):
     """As :func:`stylit_ref.passes.propagation`, on device arrays."""
-    launch(
-        make_kernel(*constants(textures, patch_width)), delta.shape,
-        *metric_arrays(textures), omega_sums, occurrence_weight,
+    launch_search(
+        make_kernel, textures, omega_sums, occurrence_weight, patch_width,
         nnf, delta, new_nnf, new_delta, distance,
     )  # fmt: skip

@@ -1,13 +1,10 @@
 """Every kernel as PTX, for a device that need not be there.
 
-``python -m gpu_cuda.ptx FOLDER`` writes one file a kernel and compute capability. What the
-simulator cannot know shows here: types that do not fit, and with ``ptxas`` registers, shared
-memory and spills.
+What the simulator cannot know shows here: types that do not fit and, once ``ptxas`` has seen
+it, registers, shared memory and spills.
 """
 
-import sys
 from importlib import import_module
-from pathlib import Path
 from types import SimpleNamespace
 from unittest import mock
 
@@ -16,8 +13,8 @@ from numba import cuda, types
 from gpu_cuda import live
 
 CAPABILITIES = ((7, 5), (9, 0))
-BLOCK = 32, 32
-"""Of the thesis (4.1)."""
+BLOCKS = (32, 8), (32, 32)
+"""Threads of a block along x and y: the default, and the thesis' (4.1)."""
 
 _IMAGE, _SUMS = types.uint8[:, :, ::1], types.uint16[:, :, ::1]
 _WEIGHTS, _MAP, _WHITE = types.int64[::1], types.int32[:, ::1], types.boolean[:, ::1]
@@ -27,14 +24,14 @@ _METRIC = _IMAGE, _IMAGE, _WEIGHTS, _WHITE, _SUMS, _SUMS
 _SEARCH = *_METRIC, _MAP, _INT, _NNF, _DELTA, _NNF, _DELTA
 
 
-def kernels(patch_width=5, channels=32, style_channels=3, guide_channels=16):
+def kernels(block, patch_width=5, channels=32, style_channels=3, guide_channels=16):
     """Name, kernel and argument types of every kernel, at the thesis' sizes by default."""
     part = {name: import_module(f"gpu_cuda.{name}") for name in _MODULES}
     for name, parameter in (("propagation", _INT), ("random_search", _STREAM)):
         make_kernel, arguments = part[name].make_kernel, (*_SEARCH, parameter)
-        yield name, make_kernel(patch_width, channels, 0, BLOCK), arguments
-        yield f"{name}, shared", make_kernel(patch_width, channels, 0, BLOCK, True), arguments
-        with_map = make_kernel(patch_width, channels, guide_channels, BLOCK)
+        yield name, make_kernel(patch_width, channels, 0, block), arguments
+        yield f"{name}, shared", make_kernel(patch_width, channels, 0, block, True), arguments
+        with_map = make_kernel(patch_width, channels, guide_channels, block)
         yield f"{name}, guide map", with_map, arguments
     for with_sums, name in ((False, "Ω"), (True, "W")):
         propagation, random_search = live.make_kernels(patch_width, with_sums)
@@ -79,18 +76,3 @@ def compile_to_ptx(kernel, arguments, capability):
             kernel.py_func, types.void(*arguments), cc=capability, device=False, abi="numba"
         )
     return ptx
-
-
-def main():
-    """Write all of them below a folder, ``NAME.MAJOR_MINOR.ptx``."""
-    folder = Path(sys.argv[1])
-    folder.mkdir(parents=True, exist_ok=True)
-    for capability in CAPABILITIES:
-        for name, kernel, arguments in kernels():
-            ptx = compile_to_ptx(kernel, arguments, capability)
-            suffix = "_".join(map(str, capability))
-            (folder / f"{name}.{suffix}.ptx").write_text(ptx, encoding="utf-8")
-
-
-if __name__ == "__main__":
-    main()

@@ -31,18 +31,24 @@ def passes_of(backend, params):
     """
     if backend not in BACKENDS:
         raise InputError(f"backend is {backend!r}; it must be 'cpu', 'cuda' or 'auto'")
-    if backend == "cpu":
+    gpu_alone = params.method == "shared_memory" or params.schedule.startswith("live")
+    cpu_alone = params.method == "stylit" or params.schedule == "scanline"
+    what = f"method {params.method!r} in schedule {params.schedule!r}"
+    if backend == "cpu" and gpu_alone:
+        raise InputError(f"{what} is a GPU's; backend is 'cpu' and must be 'cuda'")
+    if backend == "cpu" or (backend == "auto" and cpu_alone):
         return passes
-    reason = None
-    if params.method == "stylit" or params.schedule == "scanline":
-        what = "method 'stylit'" if params.method == "stylit" else "schedule 'scanline'"
-        reason = f"there are no kernels for {what}"
-    reason = reason or import_module("gpu_cuda.doctor").missing()
-    if reason is None:
-        return import_module("gpu_cuda")
-    if backend == "auto":
+    if cpu_alone:
+        raise InputError(f"there are no kernels for {what}; backend is 'cuda' and must be 'cpu'")
+    missing = import_module("gpu_cuda.doctor").missing()
+    if missing and backend == "auto" and not gpu_alone:
         return passes
-    raise InputError(f"backend is 'cuda' but {reason}; 'stylit-ref doctor' says what there is")
+    if missing:
+        raise InputError(
+            f"backend is {backend!r} but {missing}; 'stylit-ref doctor' says what there is"
+        )
+    shared = params.method == "shared_memory"
+    return import_module("gpu_cuda.shared_memory" if shared else "gpu_cuda")
 
 
 def cuda_report():

@@ -8,8 +8,8 @@ import numpy as np
 
 from stylit_ref.errors import InputError
 
-Method = Literal["ref", "guide_map", "stylit"]
-Schedule = Literal["propose_commit", "scanline"]
+Method = Literal["ref", "shared_memory", "guide_map", "stylit"]
+Schedule = Literal["propose_commit", "scanline", "live", "live_sums"]
 
 
 @dataclass(frozen=True)
@@ -18,8 +18,9 @@ class Params:
 
     Attributes
     ----------
-    method : {"ref", "guide_map", "stylit"}
-        Texture optimization with an occurrence map (thesis 2, 3); the same with guide maps
+    method : {"ref", "shared_memory", "guide_map", "stylit"}
+        Texture optimization with an occurrence map (thesis 2, 3); the same by kernels that keep
+        target patches in shared memory (5.1, a GPU's); with guide maps
         (5.2, :mod:`stylit_ref.formulae.guide_map`); StyLit (1.5, :mod:`stylit_ref.stylit`).
     patch_width : int
         w, odd, in pixels (4.1: 5).
@@ -37,9 +38,9 @@ class Params:
         μ, the weight of all guides together against the style (4.1: 2).
     guide_weights : tuple of float, optional
         A factor for each guide's share of μ; 1 for every guide by default.
-    schedule : {"propose_commit", "scanline"}
+    schedule : {"propose_commit", "scanline", "live", "live_sums"}
         How PatchMatch proceeds and when Ω changes
-        (:mod:`stylit_ref.patchmatch`); ``scanline`` is for ``ref`` alone.
+        (:mod:`stylit_ref.patchmatch`); all but the first are for ``ref`` alone.
     vote_outliers : int
         t, the votes farthest from a pixel's mean that do not count (Hauptfleisch 2.4.1:
         3 to 5); 0 for the plain mean.
@@ -80,7 +81,8 @@ class Params:
     def __post_init__(self):
         if self.method not in METHODS:
             raise InputError(
-                f"method is {self.method!r}; it must be 'ref', 'guide_map' or 'stylit'"
+                f"method is {self.method!r}; it must be 'ref', 'shared_memory', 'guide_map' or "
+                "'stylit'"
             )
         width = self.patch_width
         if not isinstance(width, Integral) or width % 2 == 0 or not 3 <= width <= 63:
@@ -101,13 +103,15 @@ class Params:
             object.__setattr__(self, "guide_weights", tuple(self.guide_weights))
             for k, weight in enumerate(self.guide_weights, 1):
                 _check_weight(f"guide weight {k}", weight)
-        if self.schedule not in ("propose_commit", "scanline"):
+        if self.schedule not in SCHEDULES:
             raise InputError(
-                f"schedule is {self.schedule!r}; it must be 'propose_commit' or 'scanline'"
+                f"schedule is {self.schedule!r}; it must be 'propose_commit', 'scanline', 'live' "
+                "or 'live_sums'"
             )
-        if self.schedule == "scanline" and self.method != "ref":
+        if self.schedule != "propose_commit" and self.method != "ref":
             raise InputError(
-                f"schedule is 'scanline' and method {self.method!r}; it goes with 'ref' alone"
+                f"schedule is {self.schedule!r} and method {self.method!r}; it goes with 'ref' "
+                "alone"
             )
         most = width**2 - 1
         if not isinstance(self.vote_outliers, Integral) or not 0 <= self.vote_outliers <= most:
@@ -144,9 +148,10 @@ Votes at coarse levels cost little and settle most of what the finest shows, so 
 them there.
 """
 
-METHODS = ("ref", "guide_map", "stylit")
+METHODS = ("ref", "shared_memory", "guide_map", "stylit")
+SCHEDULES = ("propose_commit", "scanline", "live", "live_sums")
 HEEDED_BY = {
-    "uniformity": ("ref", "guide_map"),
+    "uniformity": ("ref", "shared_memory", "guide_map"),
     "epsilon": ("guide_map",),
     "budget": ("stylit",),
     "fixed_share": ("stylit",),

@@ -1,4 +1,4 @@
-"""PatchMatch with an occurrence map: one iteration, in two schedules (thesis 2.4, 3.3).
+"""PatchMatch with an occurrence map: one iteration, in several schedules (thesis 2.4, 3.3).
 
 They differ in when the occurrence map Ω changes:
 
@@ -9,6 +9,9 @@ They differ in when the occurrence map Ω changes:
     target with Ω frozen and only *proposes*; then its proposals *commit*, and Ω follows.
     The thesis updates Ω with atomics while its kernels run, which no two runs repeat;
     this gives the same bytes with any number of threads.
+``live``, ``live_sums``
+    Thesis 3.3 on a GPU, Ω live by atomics: no two runs are the same. The first sums ρ over Ω
+    as the thesis does, the second reads it from W.
 
 The canonical iteration, to the last choice:
 
@@ -76,7 +79,33 @@ def scanline(level, seed, level_number, vote, iteration):
     level.init_occurrence_map()
 
 
-SCHEDULES = {"propose_commit": propose_commit, "scanline": scanline}
+def live(level, seed, level_number, vote, iteration):
+    """GPU_PatchMatch of thesis 3.3: kernels that change Ω as they run."""
+    _live(level, level.omega, False, seed, level_number, vote, iteration)
+
+
+def live_sums(level, seed, level_number, vote, iteration):
+    """The same with W, Ω summed over each patch, in the place of Ω."""
+    _live(level, level.omega_sums, True, seed, level_number, vote, iteration)
+
+
+def _live(level, occurrences, are_sums, seed, level_number, vote, iteration):
+    metric = level.textures, occurrences, are_sums, level.occurrence_weight, level.patch_width
+    for distance in PROPAGATION_DISTANCES:
+        level.passes.live_propagation(*metric, level.nnf, level.proposed_nnf, distance)
+        level.nnf, level.proposed_nnf = level.proposed_nnf, level.nnf
+    stream = random_stream(seed, RANDOM_SEARCH, level_number, vote, iteration)
+    level.passes.live_random_search(*metric, level.nnf, stream)
+    level.update_similarity()
+    level.init_occurrence_map()
+
+
+SCHEDULES = {
+    "propose_commit": propose_commit,
+    "scanline": scanline,
+    "live": live,
+    "live_sums": live_sums,
+}
 
 
 def search(level, params, seed, level_number, vote):

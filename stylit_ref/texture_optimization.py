@@ -17,6 +17,7 @@ from stylit_ref.params import Params
 
 SEARCHES = {
     "ref": patchmatch.search,
+    "shared_memory": patchmatch.search,
     "guide_map": patchmatch.search,
     "stylit": stylit.search,
 }

@@ -5,8 +5,7 @@ import pytest
 from device_level import on_device, to_host
 from small_level import make_level
 
-from gpu_cuda.device import launch
-from gpu_cuda.live import make_kernels
+import gpu_cuda
 from stylit_ref.formulae.random_stream import RANDOM_SEARCH, random_stream
 
 CASES = [{}, {"patch_width": 3, "uniformity": 100000}, {"crowded": True, "smooth": True}]
@@ -18,15 +17,13 @@ def test_the_map_is_a_recount_and_phi_falls(case, with_sums):
     level = make_level(**case)
     device = on_device(level)
     occurrences = device.omega_sums if with_sums else device.omega
-    propagation, random_search = make_kernels(level.patch_width, with_sums)
     metric = (
-        device.textures.source, device.textures.target, device.textures.weights,
-        occurrences, level.occurrence_weight,
+        device.textures, occurrences, with_sums, level.occurrence_weight, level.patch_width
     )  # fmt: skip
-    size = level.nnf.shape[:2]
     before = level.energy()
-    launch(propagation, size, *metric, device.nnf, device.proposed_nnf, 2)
-    launch(random_search, size, *metric, device.proposed_nnf, random_stream(1, RANDOM_SEARCH, 1))
+    gpu_cuda.live_propagation(*metric, device.nnf, device.proposed_nnf, 2)
+    stream = random_stream(1, RANDOM_SEARCH, 1)
+    gpu_cuda.live_random_search(*metric, device.proposed_nnf, stream)
 
     moved = to_host(device.proposed_nnf)
     assert (moved != level.nnf).any()

@@ -15,7 +15,11 @@ QUICK = {"levels": 2, "votes": 2, "patchmatch_iterations": 1}
 
 @pytest.mark.parametrize(
     "values",
-    [{}, {"uniformity": 0, "vote_outliers": 3}, {"method": "guide_map", "epsilon": 200.0}],
+    [
+        {"votes": 1},
+        {"uniformity": 0, "vote_outliers": 3, "votes": 1},
+        {"method": "guide_map", "epsilon": 200.0, "votes": (1, 2)},
+    ],
     ids=str,
 )
 def test_same_bytes_on_cpu_and_device(values):
@@ -32,11 +36,40 @@ def test_same_bytes_on_cpu_and_device(values):
         np.testing.assert_array_equal(ours, theirs)
 
 
+def test_shared_memory_gives_the_bytes_of_ref():
+    scene = small_scene(**SCENE)
+    ref, shared = (
+        stylize(*scene, Params(method, **(QUICK | {"votes": 1})), backend=backend)
+        for method, backend in (("ref", "cpu"), ("shared_memory", "cuda"))
+    )
+    np.testing.assert_array_equal(shared.nnf, ref.nnf)
+    np.testing.assert_array_equal(shared.image, ref.image)
+
+
+@pytest.mark.parametrize("schedule", ["live", "live_sums"])
+def test_live_schedules_lower_phi_as_the_canonical_one_does(schedule):
+    scene = small_scene(**SCENE)
+    live, canonical = (
+        stylize(*scene, Params(schedule=name, **(QUICK | {"votes": 1})), backend="cuda")
+        for name in (schedule, "propose_commit")
+    )
+    assert live.omega.sum() == 25 * live.error.size
+    phi = [run.history[-1].delta + run.history[-1].penalization for run in (live, canonical)]
+    assert phi[0] < 1.2 * phi[1]
+
+
+@pytest.mark.parametrize("values", [{"method": "shared_memory"}, {"schedule": "live"}], ids=str)
+def test_what_is_a_gpus_is_refused_on_the_cpu(values):
+    with pytest.raises(InputError, match="is a GPU's"):
+        stylize(*small_scene(**SCENE), Params(**(QUICK | values)))
+
+
 def test_transfers_happen_at_the_ends():
     profile = Profile()
-    stylize(*small_scene(**SCENE), Params(**QUICK), backend="cuda", profile=profile)
+    params = Params(**(QUICK | {"votes": 1}))
+    stylize(*small_scene(**SCENE), params, backend="cuda", profile=profile)
     assert profile.calls["download"] == 4  # image, NNF, Ω, error
-    assert profile.calls["commit"] == 2 * 2 * 4
+    assert profile.calls["commit"] == 2 * 4
 
 
 @pytest.mark.parametrize("values", [{"method": "stylit"}, {"schedule": "scanline"}], ids=str)

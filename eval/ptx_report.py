@@ -1,0 +1,94 @@
+"""What ptxas says of every kernel, without a GPU: registers, shared memory, spills.
+
+``python -m eval.ptx_report``, in an environment with the extra ``ptx``.
+"""
+
+import re
+import subprocess
+import sys
+import tempfile
+from importlib.metadata import version
+
+import pandas as pd
+from cuda.pathfinder import find_nvidia_binary_utility
+from tqdm import tqdm
+
+from eval.report import REPORTS, table, write_report
+from gpu_cuda.ptx import BLOCKS, CAPABILITIES, compile_to_ptx, kernels
+
+FOLDER = REPORTS / "ptx"
+
+
+def assembled(ptx, capability, block):
+    """Registers a thread, bytes of shared memory a block, bytes of spills a thread.
+
+    Parameters
+    ----------
+    ptx : str
+    capability : (int, int)
+    block : (int, int)
+        A thread may take as many registers as let a block of this size start.
+    """
+    with tempfile.NamedTemporaryFile("w", suffix=".ptx", encoding="utf-8") as file:
+        file.write(ptx)
+        file.flush()
+        command = [
+            find_nvidia_binary_utility("ptxas"),
+            "-v",
+            "-arch=sm_{}{}".format(*capability),
+            f"-maxrregcount={min(65536 // (block[0] * block[1]), 255)}",
+            *["-c"] * (".extern .func" in ptx),  # a grid-wide barrier is a library's, linked later
+            *[file.name, "-o", "/dev/null"],
+        ]
+        said = subprocess.run(command, check=True, capture_output=True, text=True).stderr
+    registers = max(int(number) for number in re.findall(r"Used (\d+) registers", said))
+    shared = sum(int(number) for number in re.findall(r"(\d+) bytes smem", said))
+    spills = sum(int(number) for number in re.findall(r"(\d+) bytes spill", said))
+    return registers, shared, spills
+
+
+def main():
+    """Compile, assemble and write the table; returns 1 if a kernel spills in its default block."""
+    rows, spilled = [], []
+    tasks = [
+        (name, make, arguments, block)
+        for block in BLOCKS
+        for name, make, arguments in kernels(block)
+    ]
+    for name, kernel, arguments, block in tqdm(tasks, unit="kernel", disable=None):
+        row = {"kernel": name, "block": "{}x{}".format(*block)}
+        for capability in CAPABILITIES:
+            ptx = compile_to_ptx(kernel, arguments, capability)
+            registers, shared, spills = assembled(ptx, capability, block)
+            target = "sm_{}{}".format(*capability)
+            row[f"registers, {target}"] = registers
+            row[f"spilled bytes, {target}"] = spills
+            row["shared bytes"] = shared
+            if spills and block == BLOCKS[0]:
+                spilled.append(f"{name} on {target}")
+        rows.append(row)
+    FOLDER.mkdir(parents=True, exist_ok=True)
+    frame = pd.DataFrame(rows)
+    frame.to_csv(FOLDER / "ptx.csv", index=False)
+    versions = ", ".join(
+        f"{package} {version(package)}" for package in ("numba-cuda", "nvidia-cuda-nvcc")
+    )
+    write_report(
+        FOLDER,
+        "Kernels as PTX",
+        [
+            f"Compiled without a GPU; {versions}. Patches of width 5, 32 packed channels, 3 of "
+            "style.",
+            table(frame),
+            "A multiprocessor has 65536 registers, so the 1024 threads of the thesis' blocks of "
+            "32x32 get 64 each, and kernels that want more spill; blocks of 32x8, the default, leave "
+            "255.",
+        ],
+    )
+    for what in spilled:
+        print(f"spills: {what}", file=sys.stderr)
+    return int(bool(spilled))
+
+
+if __name__ == "__main__":
+    sys.exit(main())
