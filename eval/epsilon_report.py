@@ -14,11 +14,9 @@ from eval.report import table, write_report
 from eval.runs import compile_kernels, run
 from eval.similarity import psnr, ssim
 from eval.spilling_report import spilling
+from eval.synthesis import synthesis
 from eval.unbounded_search import UNBOUNDED
 from stylit_ref import Params, passes
-from stylit_ref.checks import fit_levels
-from stylit_ref.packing import make_packing
-from stylit_ref.texture_optimization import texture_optimization
 
 EPSILONS = (3, 5, 10, 25, 100, 500, 5000, 10000)
 BEYOND = 50000
@@ -142,23 +140,8 @@ def _costs(scene, seed):
 
 def _synthesis(scene, params, module, seed):
     """Seconds and NNF of a synthesis with the given module of passes."""
-    params = fit_levels(params, scene.style.shape[:2], scene.target_guides[0].shape[:2])
-    channels = [guide.shape[2] for guide in scene.source_guides]
-    packing = make_packing(
-        channels, scene.style.shape[2], params.guide_influence, [1.0] * len(channels)
-    )
     start = time.perf_counter()
-    level = texture_optimization(
-        module,
-        packing.pack(scene.source_guides, scene.style),
-        packing.pack(scene.target_guides),
-        np.ones(scene.target_guides[0].shape[:2], bool),
-        packing,
-        params,
-        seed,
-        lambda step: None,
-        lambda number, level: None,
-    )
+    level = synthesis(scene.style, scene.source_guides, scene.target_guides, params, module, seed)
     return time.perf_counter() - start, level.nnf
 
 

@@ -81,8 +81,8 @@ def main():
             "style.",
             table(frame),
             "A multiprocessor has 65536 registers, so the 1024 threads of the thesis' blocks of "
-            "32x32 get 64 each, and kernels that want more spill; blocks of 32x8, the default, leave "
-            "255.",
+            "32x32 get 64 each, and kernels that want more spill; blocks of 32x8, the default, "
+            "leave 255.",
         ],
     )
     for what in spilled:

@@ -1,5 +1,7 @@
 """What a kernel needs of the machine: blocks, and formulae that it can call."""
 
+from types import SimpleNamespace
+
 import numpy as np
 from numba import config, cuda
 
@@ -61,6 +63,22 @@ def launch(kernel, size, *arguments, block=BLOCK):
     rows, columns = size
     grid = -(-columns // block[0]), -(-rows // block[1])
     kernel[grid, block](*arguments)
+
+
+def synchronized(passes):
+    """The same passes, each of which returns when the device is done."""
+
+    def waiting(function):
+        def call(*arguments, **options):
+            result = function(*arguments, **options)
+            cuda.synchronize()
+            return result
+
+        return call
+
+    names = passes.__all__
+    functions = {name: waiting(getattr(passes, name)) for name in names}
+    return SimpleNamespace(__all__=names, **functions)
 
 
 def launch_cooperative(kernel, *arguments):

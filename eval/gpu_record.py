@@ -1,0 +1,137 @@
+"""What the kernels do on this machine's GPU: ``python -m eval.gpu_record SCENE...``.
+
+A scene is named as elsewhere, or it is a file written by ``--pack``, for machines without
+OpenImageIO. The record goes to ``reports/gpu/<device>.json``.
+"""
+
+import argparse
+import json
+import re
+import statistics
+import sys
+import time
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+import gpu_cuda
+from eval.circumstances import circumstances
+from eval.synthesis import synthesis
+from gpu_cuda import doctor, shared_memory
+from gpu_cuda.device import synchronized
+from stylit_ref import InputError, Params, Profile, passes
+
+UNIFORMITIES = (0, 5000, 10000)
+RUNS = 3
+
+SETTINGS = {
+    f"{name}, λ = {uniformity}": (replace(params, uniformity=uniformity), module)
+    for uniformity in UNIFORMITIES
+    for name, params, module in (
+        ("propose_commit", Params(), gpu_cuda),
+        ("live", Params(schedule="live"), gpu_cuda),
+        ("live with W", Params(schedule="live_sums"), gpu_cuda),
+        ("shared memory", Params("shared_memory"), shared_memory),
+    )
+} | {"guide_map, ε = 100": (Params("guide_map", epsilon=100.0), gpu_cuda)}
+"""Params and module of passes of every whole run."""
+
+
+def record(style, source_guides, target_guides, settings=SETTINGS):
+    """Compare with the CPU and time every setting and every kernel.
+
+    Parameters
+    ----------
+    style : (H_A, W_A, n) uint8
+    source_guides, target_guides : sequence of (H, W, c) uint8
+    settings : dict
+        As :data:`SETTINGS`.
+
+    Returns
+    -------
+    dict
+    """
+    scene = style, source_guides, target_guides
+    height, width = target_guides[0].shape[:2]
+    found = {"size": f"{width}x{height}", "identical to the CPU": {}, "seconds": {}, "energy": {}}
+    for name, (params, module) in settings.items():
+        seconds = []
+        for _ in range(1 + RUNS):  # the first compiles
+            start = time.perf_counter()
+            level = synthesis(*scene, params, module)
+            nnf = module.download(level.nnf)
+            seconds.append(time.perf_counter() - start)
+        found["seconds"][name] = statistics.median(seconds[1:])
+        level.init_occurrence_map()
+        found["energy"][name] = level.energy()
+        if params.schedule == "propose_commit":
+            method = "ref" if params.method == "shared_memory" else params.method
+            on_cpu = synthesis(*scene, replace(params, method=method), passes)
+            found["identical to the CPU"][name] = bool((nnf == on_cpu.nnf).all())
+    found["kernels [s]"] = {}
+    for name, (params, module) in settings.items():
+        profile = Profile()
+        synthesis(*scene, params, profile.passes(synchronized(module)))
+        found["kernels [s]"][name] = {
+            stage: {"seconds": seconds, "calls": profile.calls[stage]}
+            for stage, seconds in profile.seconds.items()
+        }
+    return found
+
+
+def read_scene(name, data):
+    """Style, source guides and target guides of a packed file or of a scene."""
+    if Path(name).suffix == ".npz":
+        with np.load(name) as file:
+            count = sum(key.startswith("source_") for key in file)
+            guides = ([file[f"{side}_{k}"] for k in range(count)] for side in ("source", "target"))
+            return file["style"], *guides
+    from eval.scenes import BUNDLED, load_scene  # needs OpenImageIO
+
+    scene = load_scene(name, data or BUNDLED)
+    return scene.style, scene.source_guides, scene.target_guides
+
+
+def main(arguments=None):
+    """Write the record, or pack a scene; returns the exit code."""
+    parser = argparse.ArgumentParser(prog="python -m eval.gpu_record", description=__doc__)
+    parser.add_argument("scenes", nargs="*", default=["golem/crayon"], metavar="SCENE")
+    parser.add_argument("--data", help="folder of a data set (default: bundled)")
+    parser.add_argument("--pack", type=Path, metavar="FILE.npz", help="write the first scene there")
+    options = parser.parse_args(arguments)
+    try:
+        scenes = [read_scene(name, options.data) for name in options.scenes]
+        if options.pack:
+            style, *sides = scenes[0]
+            guides = {
+                f"{side}_{k}": guide
+                for side, images in zip(("source", "target"), sides, strict=True)
+                for k, guide in enumerate(images)
+            }
+            np.savez_compressed(options.pack, style=style, **guides)
+            return 0
+        missing = doctor.missing()
+        if missing:
+            raise InputError(missing)
+        result = {
+            "circumstances": circumstances(),
+            "device": doctor.report(),
+            "scenes": {
+                name: record(*scene) for name, scene in zip(options.scenes, scenes, strict=True)
+            },
+        }
+    except InputError as error:
+        print(f"eval.gpu_record: {error}", file=sys.stderr)
+        return 2
+    device = re.sub(r"\W+", "_", doctor.report()[-1].partition(" ")[2].split(",")[0]).strip("_")
+    folder = Path("reports/gpu")
+    folder.mkdir(parents=True, exist_ok=True)
+    text = json.dumps(result, indent=1, ensure_ascii=False)
+    (folder / f"{device}.json").write_text(text + "\n", encoding="utf-8")
+    print(text)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
