@@ -18,12 +18,14 @@ eval: $(VENV)/eval.installed ## λ report of a scene
 schedules: $(VENV)/eval.installed ## propose_commit against scanline at every λ (slow)
 	$(BIN)/python -m eval schedules --scene "$(SCENE)" --data "$(DATA)" $(ARGS)
 
+epsilon: SCENE = golem/oil
 epsilon: $(VENV)/eval.installed ## guide maps at every ε, and what they save
 	$(BIN)/python -m eval epsilon --scene "$(SCENE)" --data "$(DATA)" $(ARGS)
 
 stylit: $(VENV)/eval.installed ## StyLit beside the occurrence map
 	$(BIN)/python -m eval stylit --scene "$(SCENE)" --data "$(DATA)" $(ARGS)
 
+spilling: SCENE = scorpion/watercolour,hand/watercolour,golem/oil,stego/crayon,teapot/oil
 spilling: $(VENV)/eval.installed ## what an ID guide cures: SCENE=TARGET/STYLE,...
 	$(BIN)/python -m eval spilling --scene "$(SCENE)" --data "$(DATA)" $(ARGS)
 

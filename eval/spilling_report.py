@@ -58,24 +58,26 @@ def spilling_report(names, data, folder, step=1, seed=0):
             source_guides=(*plain.source_guides, plain.ids[0]),
             target_guides=(*plain.target_guides, plain.ids[1]),
         )
-        results = [run(scene, Params(), seed) for scene in (plain, guided)]
+        results = [
+            run(scene, params, seed)
+            for params in (Params(), Params("stylit"))
+            for scene in (plain, guided)
+        ]
         spilled = [spilling(result.nnf, plain.ids) for result in results]
-        rows.append(
-            {
-                "scene": plain.name,
-                "spilled": f"{spilled[0].mean():.2%}",
-                "with the ID guide": f"{spilled[1].mean():.2%}",
-            }
-        )
+        columns = ("ref", "ref with the ID guide", "StyLit", "StyLit with the ID guide")
+        shares = (f"{where.mean():.2%}" for where in spilled)
+        rows.append({"scene": plain.name, **dict(zip(columns, shares, strict=True))})
         where.append(spilled[0])
         pictures.append(
             [
                 ("style", plain.style),
                 ("ID guide", plain.ids[1]),
-                (f"{name}: light passes", results[0].image),
-                ("and ID guide", results[1].image),
-                ("where it spilled", np.uint8(255) * spilled[0][:, :, None]),
-                ("and with ID guide", np.uint8(255) * spilled[1][:, :, None]),
+                (f"{name}: ref", results[0].image),
+                ("with the ID guide", results[1].image),
+                ("StyLit", results[2].image),
+                ("with the ID guide", results[3].image),
+                ("where ref spilled", np.uint8(255) * spilled[0][:, :, None]),
+                ("with the ID guide", np.uint8(255) * spilled[1][:, :, None]),
             ]
         )
     folder.mkdir(parents=True, exist_ok=True)
@@ -90,7 +92,7 @@ def spilling_report(names, data, folder, step=1, seed=0):
             table(frame),
             "Spilled: target patches whose source patch is centred on another of the three things "
             "(object, floor, wall) than they are. Light alone cannot tell the floor in shadow from "
-            "the wall; three colours can (thesis 5.2.4). Thesis configuration, λ = 10000, "
+            "the wall; three colours can (thesis 5.2.4). Thesis configuration, ref at λ = 10000, "
             f"seed {seed}; all guide channels weigh alike, so that the light passes weigh less "
             "where there is an ID guide.",
         ],

@@ -6,7 +6,7 @@ from numba import cuda
 
 from gpu_cuda.device import SIMULATED
 
-INSTALL = "pip install 'stylit-ref[gpu]', with an NVIDIA driver of version 580 or newer"
+INSTALL = "pip install -e '.[gpu]' in the checkout, with an NVIDIA driver of version 580 or newer"
 
 
 def missing():

@@ -35,11 +35,11 @@ def passes_of(backend, params):
     cpu_alone = params.method == "stylit" or params.schedule == "scanline"
     what = f"method {params.method!r} in schedule {params.schedule!r}"
     if backend == "cpu" and gpu_alone:
-        raise InputError(f"{what} is a GPU's; backend is 'cpu' and must be 'cuda'")
+        raise InputError(f"{what} is a GPU's; backend must be 'cuda'")
     if backend == "cpu" or (backend == "auto" and cpu_alone):
         return passes
     if cpu_alone:
-        raise InputError(f"there are no kernels for {what}; backend is 'cuda' and must be 'cpu'")
+        raise InputError(f"there are no kernels for {what}; backend must be 'cpu'")
     missing = import_module("gpu_cuda.doctor").missing()
     if missing and backend == "auto" and not gpu_alone:
         return passes

@@ -46,9 +46,8 @@ def main(arguments=None):
             warnings.showwarning = lambda message, *_: print(f"note: {message}", file=sys.stderr)
             options.command(options)
     except InputError as error:
-        name, verb, rest = str(error).partition(" is ")  # a parameter goes by its flag here
-        name = _METHOD[name][0] if name in _METHOD else name
-        print(f"stylit-ref: {name}{verb}{rest}", file=sys.stderr)
+        name, space, rest = str(error).partition(" ")  # a parameter goes by its flag here
+        print(f"stylit-ref: {_FLAGS.get(name, name)}{space}{rest}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
         print("stylit-ref: interrupted; no half-written file is left", file=sys.stderr)
@@ -75,7 +74,7 @@ def _budget(text):
     return text if text == "hyperbola" else float(text)
 
 
-_budget.__name__ = "'hyperbola' or a number"
+_budget.__name__ = "budget (hyperbola or a number)"
 
 
 _METHOD = {
@@ -116,6 +115,13 @@ _METHOD = {
         float,
         "stylit: α, most error of a fixed patch over the least that was found for it",
     ),
+}
+
+
+_FLAGS = {name: flag for name, (flag, _, _) in _METHOD.items()} | {
+    "backend": "--backend",
+    "seed": "--seed",
+    "threads": "--threads",
 }
 
 
@@ -162,7 +168,9 @@ def _parser():
     files.add_argument("--output", required=True, metavar="IMAGE", help="stylized image to write")
     files.add_argument("--nnf", metavar="FILE.npy", help="write the nearest-neighbour field")
     files.add_argument(
-        "--save-levels", metavar="DIR", help="write the image of every level, and its guide map"
+        "--save-levels",
+        metavar="DIR",
+        help="write the image of every level, 1 the coarsest; for guide_map also the maps",
     )
 
     method = run.add_argument_group("method (defaults of the thesis)")
@@ -224,7 +232,7 @@ def _run(options):
     for name, methods in HEEDED_BY.items():
         if name in chosen and params.method not in methods:
             raise InputError(
-                f"{_METHOD[name][0]} is for --method {' and '.join(methods)}; "
+                f"{_METHOD[name][0]} is for --method {', '.join(methods)}; "
                 f"the method is {params.method}"
             )
     profile = Profile()
@@ -271,7 +279,7 @@ def _run(options):
                 phi = step.delta + step.penalization
                 energy = f"φ {phi:.0f} = {energy} + λρ {step.penalization:.0f}"
             else:
-                energy += f"  {step.fixed:.0%} fixed in {step.retrieval} retrievals"
+                energy += f"  retrieval {step.retrieval}: {step.fixed:.0%} fixed"
             bar.set_description_str(f"level {step.level}/{step.levels}  {energy}", refresh=False)
             bar.update(step.done - bar.n)
 

@@ -25,18 +25,27 @@ def check_writable(path):
 
 
 def check_folder(folder):
-    """Refuse a folder that neither exists nor can be made, without making it.
+    """Refuse a folder that neither exists nor can be made; what it makes to see, it removes.
 
     Raises
     ------
     InputError
     """
-    folder = Path(folder)
-    existing = next(part for part in (folder, *folder.absolute().parents) if part.exists())
-    if not existing.is_dir():
-        raise InputError(f"{folder}: cannot be made: {existing} is no folder")
-    if not os.access(existing, os.W_OK):
-        raise InputError(f"{folder}: cannot be written: permission denied")
+    folder, made = Path(folder), []
+    try:
+        missing = [part for part in (folder, *folder.absolute().parents) if not part.exists()]
+        for part in reversed(missing):
+            part.mkdir()
+            made.append(part)
+        if not folder.is_dir():
+            raise InputError(f"{folder}: cannot be made: it is a file")
+        if not os.access(folder, os.W_OK):
+            raise InputError(f"{folder}: cannot be written: permission denied")
+    except OSError as error:
+        raise InputError(f"{folder}: cannot be made: {error.strerror}") from None
+    finally:
+        for part in reversed(made):
+            part.rmdir()
 
 
 @contextmanager

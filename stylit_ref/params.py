@@ -110,8 +110,8 @@ class Params:
             )
         if self.schedule != "propose_commit" and self.method != "ref":
             raise InputError(
-                f"schedule is {self.schedule!r} and method {self.method!r}; it goes with 'ref' "
-                "alone"
+                f"schedule is {self.schedule!r}; it is for method 'ref' alone, and the method is "
+                f"{self.method!r}"
             )
         most = width**2 - 1
         if not isinstance(self.vote_outliers, Integral) or not 0 <= self.vote_outliers <= most:

@@ -117,13 +117,18 @@ def test_the_methods_of_the_python_interface(scene, flags, values):
         (["--epsilon", 5], "--epsilon is for --method guide_map; the method is ref"),
         (
             ["--method", "stylit", "--uniformity", 5],
-            "--uniformity is for --method ref and guide_map; the method is stylit",
+            "--uniformity is for --method ref, shared_memory, guide_map; the method is stylit",
         ),
         (["--method", "guide_map", "--budget", 0.5], "--budget is for --method stylit"),
         (["--method", "magic"], "--method is 'magic'; it must be"),
         (["--method", "stylit", "--budget", 0], "--budget is 0.0; it must be 'hyperbola' or"),
         (["--method", "stylit", "--error-limit", 0.5], "--error-limit is 0.5"),
         (["--patch-size", 6], "--patch-size is 6; it must be an odd"),
+        (["--seed", -1], "--seed is -1"),
+        (["--save-levels", "/proc/levels"], "/proc/levels: cannot be made"),
+        (["--save-levels", "x" * 300], "cannot be made: File name too long"),
+        (["--method", "stylit", "--schedule", "scanline"], "--schedule is 'scanline'; it is for"),
+        (["--method", "shared_memory"], "is a GPU's; backend must be 'cuda'"),
     ],
     ids=str,
 )
@@ -147,7 +152,7 @@ def test_progress_shows_the_share_that_is_fixed(scene, monkeypatch, capfd):
     monkeypatch.setattr("sys.stderr.isatty", lambda: True, raising=False)
     assert run(scene[0], "--method", "stylit") == 0
     last = capfd.readouterr().err.strip().split("\r")[-1]
-    assert re.search(r"100%.*level 2/2  δ \d+  \d+% fixed in \d+ retrievals", last)
+    assert re.search(r"100%.*level 2/2  δ \d+  retrieval \d+: \d+% fixed", last)
 
 
 def test_presets_fill_in_what_is_not_said(scene, monkeypatch):

@@ -364,7 +364,7 @@ def test_guides_of_different_sizes_or_channels():
         ({"guide_weights": 1.0}, "must be a sequence"),
         ({"schedule": "random"}, "'random'"),
         ({"method": "magic"}, "'ref', 'shared_memory', 'guide_map' or 'stylit'"),
-        ({"method": "stylit", "schedule": "scanline"}, "goes with 'ref' alone"),
+        ({"method": "stylit", "schedule": "scanline"}, "for method 'ref' alone"),
         ({"epsilon": -1}, "epsilon is -1"),
         ({"epsilon": float("nan")}, "epsilon is nan"),
         ({"budget": "knee"}, "budget is 'knee'"),

@@ -149,8 +149,9 @@ def test_spilling_report(data, tmp_path):
     assert main(["spilling", "--data", str(data), "--scene", "teapot/oil,teapot/pen"]) == 0
     report = tmp_path / "reports" / "spilling_small"
     numbers = pd.read_csv(report / "spilling.csv")
-    spilled = numbers[["spilled", "with the ID guide"]].map(lambda text: float(text[:-1]))
-    assert (spilled["with the ID guide"] < spilled["spilled"]).all()
+    spilled = numbers.drop(columns="scene").map(lambda text: float(text[:-1]))
+    assert (spilled["ref with the ID guide"] < spilled["ref"]).all()
+    assert spilled.shape == (2, 4)
     assert (report / "spilling.png").exists()
 
 
