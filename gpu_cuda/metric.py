@@ -24,13 +24,13 @@ def metric_arrays(textures):
 
 def launch_search(
     make_kernel, textures, omega_sums, occurrence_weight, patch_width,
-    nnf, delta, new_nnf, new_delta, parameter, block=BLOCK, shared=False,
+    nnf, delta, new_nnf, new_delta, *parameters, block=BLOCK, shared=False,
 ):  # fmt: skip
-    """Run Kernel_Propagation or Kernel_RandomSearch; ``parameter`` is its last argument."""
+    """Run Kernel_Propagation or Kernel_RandomSearch; ``parameters`` are its last arguments."""
     launch(
         make_kernel(*constants(textures, patch_width), block, shared), delta.shape,
         *metric_arrays(textures), omega_sums, occurrence_weight,
-        nnf, delta, new_nnf, new_delta, parameter, block=block,
+        nnf, delta, new_nnf, new_delta, *parameters, block=block,
     )  # fmt: skip
 
 

@@ -27,8 +27,8 @@ _SEARCH = *_METRIC, _MAP, _INT, _NNF, _DELTA, _NNF, _DELTA
 def kernels(block, patch_width=5, channels=32, style_channels=3, guide_channels=16):
     """Name, kernel and argument types of every kernel, at the thesis' sizes by default."""
     part = {name: import_module(f"gpu_cuda.{name}") for name in _MODULES}
-    for name, parameter in (("propagation", _INT), ("random_search", _STREAM)):
-        make_kernel, arguments = part[name].make_kernel, (*_SEARCH, parameter)
+    for name, parameters in (("propagation", (_INT,)), ("random_search", (_STREAM, _INT))):
+        make_kernel, arguments = part[name].make_kernel, (*_SEARCH, *parameters)
         yield name, make_kernel(patch_width, channels, 0, block), arguments
         yield f"{name}, shared", make_kernel(patch_width, channels, 0, block, True), arguments
         with_map = make_kernel(patch_width, channels, guide_channels, block)

@@ -21,7 +21,7 @@ def make_kernel(patch_width, channels, mean_channels, block=BLOCK, shared=False)
     @compiled_for(block)
     def random_search_kernel(
         source, target, weights, guide_map, target_sums, source_sums, omega_sums,
-        occurrence_weight, nnf, delta, new_nnf, new_delta, stream,
+        occurrence_weight, nnf, delta, new_nnf, new_delta, stream, side,
     ):  # fmt: skip
         x, y = cuda.grid(2)
         patches, patch_y, patch_x = target, y, x
@@ -37,7 +37,7 @@ def make_kernel(patch_width, channels, mean_channels, block=BLOCK, shared=False)
         if best_y >= 0:
             best_phi = best_delta + penalization(omega_sums, occurrence_weight, best_y, best_x)
             search_radius, k = 1, 0
-            while search_radius <= max(height, width) // 2:
+            while search_radius <= side // 2:
                 words = random_words(stream, y * width + x, k // 2)
                 first = k % 2 == 0
                 candidate_y, candidate_x = random_candidate(
@@ -57,10 +57,11 @@ def make_kernel(patch_width, channels, mean_channels, block=BLOCK, shared=False)
 
 
 def random_search(
-    textures, omega_sums, occurrence_weight, patch_width, nnf, delta, new_nnf, new_delta, stream
-):
+    textures, omega_sums, occurrence_weight, patch_width,
+    nnf, delta, new_nnf, new_delta, stream, side=None,
+):  # fmt: skip
     """As :func:`stylit_ref.passes.random_search`, on device arrays."""
     launch_search(
         make_kernel, textures, omega_sums, occurrence_weight, patch_width,
-        nnf, delta, new_nnf, new_delta, stream,
+        nnf, delta, new_nnf, new_delta, stream, side or max(delta.shape),
     )  # fmt: skip

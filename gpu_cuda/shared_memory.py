@@ -28,10 +28,11 @@ def propagation(
 
 
 def random_search(
-    textures, omega_sums, occurrence_weight, patch_width, nnf, delta, new_nnf, new_delta, stream
-):
+    textures, omega_sums, occurrence_weight, patch_width,
+    nnf, delta, new_nnf, new_delta, stream, side=None,
+):  # fmt: skip
     """As :func:`gpu_cuda.random_search`."""
     launch_search(
         make_random_search_kernel, textures, omega_sums, occurrence_weight, patch_width,
-        nnf, delta, new_nnf, new_delta, stream, shared=True,
+        nnf, delta, new_nnf, new_delta, stream, side or max(delta.shape), shared=True,
     )  # fmt: skip

@@ -121,7 +121,7 @@ def check_range(packing, params, source_size, target_patches):
             stacklevel=3,
         )
     largest_phi = weight * patch_pixels * target_patches + packing.largest_delta(params.patch_width)
-    factor = max(BOUND_SCALE, patch_pixels) if params.method == "guide_map" else BOUND_SCALE
+    factor = patch_pixels if params.method == "guide_map" else BOUND_SCALE
     if largest_phi * factor >= 1 << 62:
         raise InputError(
             f"uniformity {params.uniformity:g} with guide influence {params.guide_influence:g} "

@@ -9,14 +9,18 @@ errors.
 What the text leaves open, and what is done here:
 
 - The slope of 1 is meant where x runs from 0 at the smallest error to 1 at the largest and
-  the hyperbola ends at f(1) = 1. So it means the same at every size and in every unit, and the
-  one largest error, which may be anything, does not decide.
+  the hyperbola ends at f(1) = 1, so that it means the same at every size and in every unit. The
+  knee then lies between 0.75 and 1: three quarters of the correspondences are always kept.
+- The fit is robust (a loss that grows with a residual, not its square): the few largest errors,
+  which may be anything, do not decide.
 - A hyperbola too flat to have that slope, f(1) < 2 f(0), has no knee, nor have errors that are
   all alike: all of them are within the budget.
 - A fit that does not converge gives way to the share of Hauptfleisch 4.1.2:
   T is 0.9 times the sum of all errors.
 - A sum of exactly T is within the budget, where (2.5) has "<": errors of 0 must be, and those
   before the knee are meant to be. At least one correspondence is.
+- Correspondences that lose their target patch to a closer one, or that α refuses, have spent
+  their error all the same: the budget is over correspondences, as T is.
 - Equal errors rank in the order of rows (:func:`stylit_ref.passes.claims.settle_claims`).
 """
 
@@ -30,12 +34,12 @@ SAMPLES = 1001
 
 
 def fit_hyperbola(x, y):
-    """Fit :math:`(a - bx)^{-1}` by least squares.
+    """Fit :math:`(a - bx)^{-1}`, outliers counting little.
 
     Parameters
     ----------
     x, y : (n,) float64
-        From 0 to 1; y rises.
+        x from 0 to 1; y rises and is 1 in the middle.
 
     Returns
     -------
@@ -52,8 +56,8 @@ def fit_hyperbola(x, y):
     def residuals(ends):  # 1/f(0) and 1/f(1)
         return 1 / (ends[0] * (1 - x) + ends[1] * x) - y
 
-    start = 1 / max(np.median(y), 1e-3), 1.0
-    fit = least_squares(residuals, start, bounds=(1e-3, 1e9))
+    start = 2.0, 0.5
+    fit = least_squares(residuals, start, bounds=(1e-9, 1e9), loss="soft_l1", f_scale=0.1)
     if not fit.success:
         raise RuntimeError(fit.message)
     first, last = fit.x
@@ -89,8 +93,9 @@ def correspondences_within_budget(errors, budget):
         if errors[0] == errors[-1]:
             return len(errors)
         places = np.linspace(0, len(errors) - 1, min(SAMPLES, len(errors))).astype(np.int64)
+        middle = np.median(errors) or np.mean(errors)
         try:
-            x_k = knee(*fit_hyperbola(places / (len(errors) - 1), errors[places] / errors[-1]))
+            x_k = knee(*fit_hyperbola(places / (len(errors) - 1), errors[places] / middle))
             return int(x_k * (len(errors) - 1)) + 1
         except RuntimeError:
             budget = SHARE

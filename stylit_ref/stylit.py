@@ -8,9 +8,9 @@ The search between two votes, as Hauptfleisch 2020 tells it in 2.3.1, with the c
    not fixed yet, and claims it. Of all claims the error budget
    (:mod:`stylit_ref.error_budget`) covers the closest; of two to the same patch the
    closer wins. Their target patches are fixed.
-3. Again 2, until the share ``fixed_share`` of the target's patches is fixed, or a
-   retrieval fixes less than one in a thousand of them: with a limit α, or with patches that no
-   source patch comes near to, more would follow that fix next to nothing.
+3. Again 2, until the share ``fixed_share`` of the target's patches is fixed, or a retrieval
+   fixes less than a thousandth of what it could: with a limit α, or with patches that no source
+   patch comes near to, more would follow that fix next to nothing.
 4. The vote.
 
 PatchMatch runs both ways with the same passes. For a retrieval source and target change places: A
@@ -23,13 +23,19 @@ search then skips it as it skips patches that are used too often.
 import numpy as np
 
 from stylit_ref.error_budget import correspondences_within_budget
-from stylit_ref.formulae.random_stream import RETRIEVAL_NNF, RETRIEVAL_SEARCH, random_stream
+from stylit_ref.formulae.random_stream import (
+    ITERATIONS,
+    RETRIEVAL_NNF,
+    RETRIEVAL_SEARCH,
+    random_stream,
+)
 from stylit_ref.passes.claims import CLAIMED, FIXED, FREE
 from stylit_ref.patchmatch import PROPAGATION_DISTANCES, propose_commit
 from stylit_ref.search import SearchStep
 
 LEAST_PROGRESS = 1e-3
-"""Share of the target's patches that a retrieval must fix for another one to follow."""
+"""A retrieval can fix as many patches as the source has, or the target; another one follows
+where it has fixed this share of the fewer."""
 
 
 def search(level, params, seed, level_number, vote):
@@ -53,21 +59,24 @@ def search(level, params, seed, level_number, vote):
         propose_commit(level, seed, level_number, vote, iteration)
     yield SearchStep(iterations, None, 0.0, retrieval=0, fixed=0.0)
 
-    most = np.full(level.delta.shape, np.iinfo(np.int64).max)
+    limits = np.full(level.delta.shape, np.iinfo(np.int64).max)
     if params.error_limit is not None:
-        most = np.minimum(level.delta * params.error_limit, 2.0**62).astype(np.int64)
+        limits = np.minimum(level.delta * params.error_limit, 2.0**62).astype(np.int64)
     retrieval = Retrieval(level, random_stream(seed, RETRIEVAL_NNF, level_number, vote))
     patches = int(np.count_nonzero(retrieval.taken == FREE))
-    fixed = newly_fixed = number = 0
-    while number == 0 or (
-        fixed < params.fixed_share * patches and newly_fixed >= LEAST_PROGRESS * patches
-    ):
+    wanted = params.fixed_share * patches
+    least = LEAST_PROGRESS * min(patches, retrieval.delta.size)
+    fixed = number = 0
+    going_on = True
+    while going_on:
         for iteration in range(iterations * number + 1, iterations * (number + 1) + 1):
             retrieval.improve(random_stream(seed, RETRIEVAL_SEARCH, level_number, vote, iteration))
-        newly_fixed = retrieval.settle(params.budget, most)
+        newly_fixed = retrieval.settle(params.budget, limits)
         fixed += newly_fixed
         number += 1
-        done = min(fixed / (params.fixed_share * patches), 1.0)
+        numbers_left = iterations * (number + 1) < ITERATIONS
+        going_on = fixed < wanted and newly_fixed >= least and numbers_left
+        done = fixed / wanted if going_on else 1.0
         yield SearchStep(iterations * (number + 1), newly_fixed, done, number, fixed / patches)
 
 
@@ -119,23 +128,23 @@ class Retrieval:
         passes = self.level.passes
         for distance in PROPAGATION_DISTANCES:
             self._take(passes.propagation, distance)
-        self._take(passes.random_search, stream)
+        self._take(passes.random_search, stream, max(self.level.delta.shape))
 
-    def _take(self, propose, parameter):
+    def _take(self, propose, *parameters):
         propose(
             self.textures, self.taken, self.taken_weight, self.level.patch_width,
-            self.nnf, self.delta, self.proposed_nnf, self.proposed_delta, parameter,
+            self.nnf, self.delta, self.proposed_nnf, self.proposed_delta, *parameters,
         )  # fmt: skip
         self.nnf, self.proposed_nnf = self.proposed_nnf, self.nnf
         self.delta, self.proposed_delta = self.proposed_delta, self.delta
 
-    def settle(self, budget, most):
+    def settle(self, budget, limits):
         """Fix what the error budget covers.
 
         Parameters
         ----------
         budget : "hyperbola" or float
-        most : (H_B, W_B) int64
+        limits : (H_B, W_B) int64
             The largest error each target patch accepts.
 
         Returns
@@ -154,7 +163,7 @@ class Retrieval:
             self.delta,
             last_error,
             within - np.searchsorted(errors, last_error),
-            most,
+            limits,
             self.taken,
             self.level.patch_width,
             self.level.nnf,

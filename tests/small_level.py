@@ -24,11 +24,13 @@ def make_level(
     crowded=False,
     masked=None,
     epsilon=None,
+    flat_style=False,
 ):
     """A level with random textures, a random NNF, and δ, Ω and W that belong to it.
 
     ``smooth`` images change slowly, ``constant`` ones not at all; a ``crowded`` NNF
-    assigns every other row to one source patch; ``epsilon`` makes a guide map.
+    assigns every other row to one source patch; ``epsilon`` makes a guide map;
+    with ``flat_style`` only the guides differ.
     """
     rng = np.random.default_rng(seed)
     params = Params(patch_width=patch_width, uniformity=uniformity)
@@ -37,6 +39,11 @@ def make_level(
     weights = guide_weights or (1.0,) * len(guide_channels)
     packing = make_packing(guide_channels, style_channels, params.guide_influence, weights)
 
+    used = np.zeros(packing.channels, np.uint8)  # channels that only pad are zero
+    for first, channels in zip(packing.guide_channels, guide_channels, strict=True):
+        used[first : first + channels] = 1
+    used[packing.style_channel : packing.style_channel + style_channels] = 1
+
     def texture(size):
         image = rng.integers(0, 256, (*size, packing.channels), dtype=np.uint8)
         if smooth:
@@ -44,7 +51,9 @@ def make_level(
             image = (ramp * 4 + image // 16).astype(np.uint8)
         if constant:
             image[:] = 100
-        return image * (packing.weights > 0)
+        if flat_style:
+            packing.style(image)[:] = 100
+        return image * used
 
     synthesized = np.ones(target_size, bool) if masked is None else ~masked
     source, target = texture(source_size), texture(target_size)

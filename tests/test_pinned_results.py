@@ -17,6 +17,11 @@ CASES = {
     "wide patch without penalization": ({"patch_width": 7, "uniformity": 0}, np.s_[:2], False),
     "even use of a grey style, masked": ({"uniformity": 100000, "levels": 2}, np.s_[1:], True),
     "guide map": ({"method": "guide_map", "epsilon": 300.0}, np.s_[:], False),
+    "stylit by a share of the errors": (
+        {"method": "stylit", "budget": 0.9, "error_limit": 5.0, "vote_outliers": 3},
+        np.s_[:],
+        False,
+    ),
     "scanline": (
         {"schedule": "scanline", "levels": 2, "patchmatch_iterations": 2},
         np.s_[:],
@@ -28,6 +33,7 @@ PINNED = {
     "wide patch without penalization": "9cc7cdf5ec610f27",
     "even use of a grey style, masked": "0a6ddaf4368a3c12",
     "guide map": "49ce518b11a69a01",  # of the code that brought it
+    "stylit by a share of the errors": "64af7e885cac6f4e",  # likewise
     "scanline": "1cdb9d3441b440d5",
 }
 

@@ -68,6 +68,38 @@ def test_a_retrieval_comes_near_the_closest_free_target_patches(case):
     assert retrieval.delta.mean() - best < 0.15 * (chance - best)
 
 
+def test_a_retrieval_starts_from_the_target_to_source_field_turned_round():
+    level, retrieval = make_retrieval()
+    for y, x in np.ndindex(*level.delta.shape):
+        source_y, source_x = level.nnf[y, x] - 2
+        assert retrieval.delta[source_y, source_x] <= level.delta[y, x]
+
+
+def test_a_free_patch_is_taken_at_any_error():
+    """The fixed patches are good matches, the free ones the worst there can be."""
+    level = make_level(uniformity=0, target_size=(14, 40))
+    level.textures.source[:] = 0
+    level.textures.target[:, :4] = 0
+    level.textures.target[:, 4:] = 255
+    level.update_similarity()
+    retrieval = Retrieval(level, random_stream(4, RETRIEVAL_NNF, 1, 1))
+    retrieval.taken[:, :6] = FIXED
+    retrieval.nnf[:] = 2
+    level.passes.similarity(retrieval.textures, 5, retrieval.nnf, retrieval.delta)
+    for iteration in range(1, 6):
+        retrieval.improve(random_stream(4, RETRIEVAL_SEARCH, 1, 1, iteration))
+    assert (retrieval.nnf[:, :, 1] >= 6).all()
+
+
+def test_a_small_source_searches_the_whole_target():
+    level = make_level(uniformity=0, source_size=(7, 7), target_size=(60, 60))
+    level.vote()
+    level.update_moments()
+    *_, step = stylit.search(level, replace(PARAMS, fixed_share=0.3), 3, 1, 1)
+    assert step.fixed >= 0.3
+    assert step.done == 1
+
+
 @pytest.mark.parametrize("case", CASES, ids=str)
 def test_what_is_fixed_stays_until_the_vote(case):
     level = make_level(uniformity=0, **case)

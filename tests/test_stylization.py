@@ -324,6 +324,16 @@ def test_bad_input_is_one_sentence(change, message):
     assert "\n" not in str(caught.value)
 
 
+def test_a_guide_map_of_wide_patches_needs_smaller_weights():
+    """Squares of sums over a patch are w² times as large as sums of squares."""
+    scene = small_scene(source_size=(70, 70), target_size=(70, 70))
+    values = {"patch_width": 63, "guide_influence": 1000.0, "levels": 1, "votes": 1}
+    values |= {"patchmatch_iterations": 1}
+    stylize(*scene, Params(**values))
+    with pytest.raises(InputError, match="overflows 64-bit"):
+        stylize(*scene, Params("guide_map", **values))
+
+
 def test_a_weight_too_small_for_fixed_point_is_said():
     style, sources, targets = small_scene()
     params = quick(patch_width=21, levels=1, uniformity=10)

@@ -74,7 +74,7 @@ def scaled_variance(texture, sums, weights, first_y, first_x, patch_width):
 
 def variance_limit(epsilon, patch_width):
     """The least w⁴ var that is black: var < ε exactly where w⁴ var is below this integer."""
-    return min(ceil(Fraction(epsilon) * patch_width**4), np.iinfo(np.int64).max)
+    return min(ceil(Fraction(float(epsilon)) * int(patch_width) ** 4), np.iinfo(np.int64).max)
 
 
 def sums_dtype(patch_width):

@@ -18,6 +18,9 @@ from stylit_ref.formulae.philox import philox4x32
 
 RANDOM_NNF, RANDOM_SEARCH, COMMIT_ORDER, RETRIEVAL_NNF, RETRIEVAL_SEARCH = 1, 2, 3, 4, 5
 
+ITERATIONS = 1 << 16
+"""Iterations of a vote that the counter tells apart, and as many votes and levels."""
+
 
 def random_stream(seed, purpose, level=0, vote=0, iteration=0):
     """Counter words 2 and 3 and the key of a pass.

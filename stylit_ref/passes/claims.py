@@ -8,7 +8,7 @@ FREE, FIXED, CLAIMED = 0, 1, 2
 
 @kernel(parallel=False)
 def settle_claims(
-    claims, errors, last_error, last_claims, most, taken, patch_width, nnf, delta
+    claims, errors, last_error, last_claims, limits, taken, patch_width, nnf, delta
 ):  # fmt: skip
     """Give each free target patch to the closest of the source patches that claim it.
 
@@ -24,7 +24,7 @@ def settle_claims(
         Their δ.
     last_error, last_claims : int
         The largest error within the budget, and how many claims of just that error are.
-    most : (H_B, W_B) int64
+    limits : (H_B, W_B) int64
         The largest error that a target patch accepts.
     taken : (H_B + 2 radius, W_B + 2 radius) int32
         ``FREE`` or ``FIXED``; becomes ``CLAIMED`` where a claim is settled.
@@ -44,7 +44,7 @@ def settle_claims(
                     continue
                 last_claims -= 1
             target_y, target_x = padded_y - radius, padded_x - radius
-            if error > most[target_y, target_x]:
+            if error > limits[target_y, target_x]:
                 continue
             if taken[padded_y, padded_x] == FREE or error < delta[target_y, target_x]:
                 taken[padded_y, padded_x] = CLAIMED

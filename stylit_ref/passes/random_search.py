@@ -96,13 +96,13 @@ def _make_kernel(patch_width, channels, lanes, mean_channels):
 
 
 def random_search(
-    textures, omega_sums, occurrence_weight, patch_width, nnf, delta, new_nnf, new_delta, stream
-):
+    textures, omega_sums, occurrence_weight, patch_width,
+    nnf, delta, new_nnf, new_delta, stream, side=None,
+):  # fmt: skip
     """Offer every target patch random candidates at radius 1, 2, 4, ...
 
     The squares are centred on the assignment the pass began with and double up to
-    half the larger side of the target, as in the thesis' kernel. Ω stays as it is
-    during the pass.
+    half of ``side``. Ω stays as it is during the pass.
 
     Parameters
     ----------
@@ -120,10 +120,12 @@ def random_search(
         NNF' of the thesis: receives the better assignment and its δ.
     stream : tuple of 4 uint32
         From :func:`stylit_ref.formulae.random_stream.random_stream`.
+    side : int, optional
+        The larger side of the target if not given, as in the thesis' kernel.
     """
     run = _make_kernel(*metric_constants(textures, patch_width))
-    height, width = delta.shape
-    radii = (max(height, width) // 2).bit_length()
+    height = delta.shape[0]
+    radii = ((side or max(delta.shape)) // 2).bit_length()
     candidates = np.empty((height, TOGETHER, radii, 2), np.int32)
     promising = np.empty((height, TOGETHER, radii), np.int32)
     counts = np.empty((height, TOGETHER), np.int32)

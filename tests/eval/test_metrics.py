@@ -105,7 +105,15 @@ def test_spilling_is_where_source_and_target_are_different_things():
     np.testing.assert_array_equal(spilling(nnf, (source_ids, target_ids)), expected)
 
 
-@pytest.mark.parametrize("case", [{}, {"smooth": True, "epsilon": 520, "uniformity": 200}], ids=str)
+@pytest.mark.parametrize(
+    "case",
+    [
+        {},
+        {"smooth": True, "epsilon": 520, "uniformity": 200},
+        {"patch_width": 7, "epsilon": 1e12, "uniformity": 0, "flat_style": True},
+    ],
+    ids=str,
+)
 def test_the_search_without_the_bound_finds_the_same(case):
     level = make_level(target_size=(30, 33), **case)
     found = []

@@ -34,8 +34,10 @@ def test_whole_runs_give_the_bytes_of_the_cpu(size, method):
 
 
 @pytest.mark.parametrize("shared", [False, True])
-@pytest.mark.parametrize(("name", "parameter"), [("propagation", 2), ("random_search", STREAM)])
-def test_blocks_of_the_thesis(name, parameter, shared):
+@pytest.mark.parametrize(
+    ("name", "parameters"), [("propagation", (2,)), ("random_search", (STREAM, 100))]
+)
+def test_blocks_of_the_thesis(name, parameters, shared):
     level = make_level(source_size=(90, 70), target_size=(75, 100), guide_channels=(3,) * 5)
     device = on_device(level)
     kernel = import_module(f"gpu_cuda.{name}").make_kernel
@@ -45,7 +47,7 @@ def test_blocks_of_the_thesis(name, parameter, shared):
     ):
         run(
             either.textures, either.omega_sums, either.occurrence_weight, either.patch_width,
-            either.nnf, either.delta, either.proposed_nnf, either.proposed_delta, parameter,
+            either.nnf, either.delta, either.proposed_nnf, either.proposed_delta, *parameters,
         )  # fmt: skip
     np.testing.assert_array_equal(to_host(device.proposed_nnf), level.proposed_nnf)
 

@@ -77,13 +77,15 @@ def test_random_search(case):
 
 
 @pytest.mark.parametrize("block", [(8, 8), (16, 16)])
-@pytest.mark.parametrize(("name", "parameter"), [("propagation", 2), ("random_search", STREAM)])
+@pytest.mark.parametrize(
+    ("name", "parameters"), [("propagation", (2,)), ("random_search", (STREAM, 19))]
+)
 @pytest.mark.parametrize("case", [CASES[0], CASES[3], CASES[5]], ids=str)
-def test_shared_memory_changes_nothing(case, name, parameter, block):
+def test_shared_memory_changes_nothing(case, name, parameters, block):
     level, device = levels(**({"target_size": (19, 17)} | case))
-    getattr(passes, name)(*search(level), parameter)
+    getattr(passes, name)(*search(level), *parameters)
     make_kernel = import_module(f"gpu_cuda.{name}").make_kernel
-    launch_search(make_kernel, *search(device), parameter, block=block, shared=True)
+    launch_search(make_kernel, *search(device), *parameters, block=block, shared=True)
     assert_same(device.proposed_nnf, level.proposed_nnf)
     assert_same(device.proposed_delta, level.proposed_delta)
 

@@ -9,6 +9,7 @@ import pytest
 from small_level import make_level
 
 from stylit_ref import passes
+from stylit_ref.formulae.guide_map import delta_by_means, variance_limit
 
 CASES = [
     {"smooth": True},
@@ -82,6 +83,24 @@ def test_delta_of_white_patches_compares_means(case):
             level.textures.source, level.textures.target, brute_force.weights_of(level.packing),
             level.patch_width, level.packing.style_channel, *place,
         )  # fmt: skip
+
+
+@pytest.mark.parametrize("case", CASES, ids=str)
+def test_the_plainest_form_is_the_fast_one(case):
+    level = make_level(epsilon=1e12, **case)
+    textures = level.textures
+    for y, x in np.ndindex(*level.delta.shape):
+        source_y, source_x = map(int, level.nnf[y, x])
+        assert level.delta[y, x] == delta_by_means(
+            textures.source, textures.target, textures.weights, textures.target_sums[y, x],
+            textures.source_sums[source_y, source_x], level.patch_width, y, x, source_y, source_x,
+        )  # fmt: skip
+
+
+@pytest.mark.parametrize("epsilon", [np.float32(100), np.int64(100), 100])
+def test_epsilon_may_be_any_number(epsilon):
+    assert variance_limit(epsilon, np.int64(5)) == 100 * 5**4
+    assert variance_limit(np.int64(10**11), 63) == 10**11 * 63**4
 
 
 def test_without_white_patches_the_metric_is_the_plain_one():

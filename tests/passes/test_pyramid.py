@@ -1,7 +1,6 @@
 import numpy as np
 
 from stylit_ref import passes
-from stylit_ref.mask import downsample_mask
 
 
 def test_downsample_is_the_mean_rounded_half_up():
@@ -15,14 +14,6 @@ def test_downsample_is_the_mean_rounded_half_up():
 def test_downsample_rounds_half_up():
     image = np.array([0, 0, 1, 1], np.uint8).reshape(2, 2, 1)
     assert passes.downsample(image)[0, 0, 0] == 1
-
-
-def test_mask_keeps_every_pixel_that_has_a_descendant():
-    synthesized = np.zeros((7, 6), bool)
-    synthesized[6, 0] = synthesized[1, 4] = True
-    expected = np.zeros((3, 3), bool)
-    expected[2, 0] = expected[0, 2] = True
-    np.testing.assert_array_equal(downsample_mask(synthesized), expected)
 
 
 def test_upsampled_nnf_doubles_and_keeps_the_offset():
