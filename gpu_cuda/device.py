@@ -1,8 +1,12 @@
 """What a kernel needs of the machine: blocks, and formulae that it can call."""
 
+from contextlib import suppress
 from types import SimpleNamespace
 
 import numpy as np
+
+with suppress(ImportError):  # numba-cuda's, where its .pth file went unread (pip --target)
+    import _numba_cuda_redirector  # noqa: F401
 from numba import config, cuda
 
 SIMULATED = bool(config.ENABLE_CUDASIM)
