@@ -13,7 +13,7 @@ from numba import cuda
 
 from gpu_cuda.device import launch_cooperative
 from gpu_cuda.formulae import commit_order, penalization
-from gpu_cuda.memory import empty
+from gpu_cuda.memory import empty, fill
 from gpu_cuda.patch_penalization import make_atomic_updates
 from stylit_ref.formulae.commit_classes import CLASS_STRIDE
 
@@ -90,7 +90,7 @@ def commit(
 ):
     """As :func:`stylit_ref.passes.commit`, on device arrays."""
     moved, moves = _scratch(delta.shape)
-    moves.copy_to_device(np.zeros(1, np.int32))
+    fill(moves, 0)
     launch_cooperative(
         make_kernel(patch_width),
         nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, stream,

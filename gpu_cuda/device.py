@@ -9,6 +9,8 @@ with suppress(ImportError):  # numba-cuda's, where its .pth file went unread (pi
     import _numba_cuda_redirector  # noqa: F401
 from numba import config, cuda
 
+config.CUDA_LOW_OCCUPANCY_WARNINGS = 0  # coarse levels are small, and that is no news
+
 SIMULATED = bool(config.ENABLE_CUDASIM)
 """Whether kernels run in Numba's simulator (``NUMBA_ENABLE_CUDASIM=1``), thread after thread."""
 

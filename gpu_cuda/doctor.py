@@ -18,7 +18,8 @@ def missing():
     try:
         cuda.current_context()
     except Exception as error:  # what a driver, or a library it needs, may raise is anything
-        return f"there is no GPU that CUDA can use: {' '.join(str(error).split())[:200]}"
+        said = " ".join(str(error).split()).rstrip(" :.")
+        return f"there is no GPU that CUDA can use: {said[:200]} ({INSTALL})"
     return None
 
 

@@ -6,7 +6,7 @@ import numpy as np
 from numba import cuda
 
 from gpu_cuda.device import launch
-from gpu_cuda.memory import empty
+from gpu_cuda.memory import empty, fill
 
 ROWS_A_THREAD = 32
 
@@ -39,7 +39,7 @@ def energy(nnf, delta, omega_sums):
     """As :func:`stylit_ref.passes.energy`, on device arrays."""
     height, width = delta.shape
     sums = _scratch(width)
-    sums.copy_to_device(np.zeros((width, 3), np.int64))
+    fill(sums, 0)
     launch(sum_columns_kernel, (-(-height // ROWS_A_THREAD), width), nnf, delta, omega_sums, sums)
     # Python's integers: the sum over all columns may pass 64 bits.
     total_delta, total_omega_sum, patches = sums.copy_to_host().astype(object).sum(axis=0)

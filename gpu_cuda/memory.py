@@ -1,11 +1,15 @@
-"""The device's memory: arrays go there before a run, and back when it is done."""
+"""The device's memory: images go there before a run, and the result comes back when it is done.
+
+Between, each commit reads back how many pixels moved, and each iteration the energy of every
+column.
+"""
 
 from contextlib import contextmanager
 
 import numpy as np
 from numba import cuda
 
-from gpu_cuda.device import launch
+from gpu_cuda.device import BLOCK, launch
 from stylit_ref.errors import InputError
 
 
@@ -45,7 +49,28 @@ def download(array):
 
 def zeros(shape, dtype):
     """As :func:`stylit_ref.passes.zeros`, in the device's memory."""
-    return upload(np.zeros(shape, dtype))
+    array = empty(shape, dtype)
+    fill(array, 0)
+    return array
+
+
+@cuda.jit
+def fill_kernel(values, value):
+    """Write the same value everywhere."""
+    place = cuda.grid(1)
+    if place < values.size:
+        values[place] = value
+
+
+def fill(array, value):
+    """Write the same value everywhere in an array of the device."""
+    launch(
+        fill_kernel,
+        (1, array.size),
+        array.reshape(array.size),
+        value,
+        block=(BLOCK[0] * BLOCK[1], 1),
+    )
 
 
 @cuda.jit

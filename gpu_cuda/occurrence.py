@@ -10,13 +10,7 @@ import numpy as np
 from numba import cuda
 
 from gpu_cuda.device import launch
-
-
-@cuda.jit
-def fill_kernel(values, value):
-    x, y = cuda.grid(2)
-    if y < values.shape[0] and x < values.shape[1]:
-        values[y, x] = value
+from gpu_cuda.memory import fill
 
 
 @cuda.jit
@@ -50,7 +44,7 @@ def occurrence_map(nnf, omega, omega_sums, patch_width):
     """As :func:`stylit_ref.passes.occurrence_map`, on device arrays."""
     box_sum = make_box_sum_kernel(patch_width)
     counts = omega_sums  # until the last step overwrites them
-    launch(fill_kernel, counts.shape, counts, 0)
+    fill(counts, 0)
     launch(count_kernel, nnf.shape[:2], nnf, counts)
     launch(box_sum, omega.shape, counts, omega)
     launch(box_sum, omega.shape, omega, omega_sums)

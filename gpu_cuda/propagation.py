@@ -26,7 +26,7 @@ def make_kernel(patch_width, channels, mean_channels, block=BLOCK, shared=False)
     """
     radius = patch_width // 2
     improve_proposal = make_improve_proposal(mean_channels)
-    tile = tile_shape(block, radius, channels)
+    tile = tile_shape(block, radius, channels) if shared else (1, 1, 1)
 
     @compiled_for(block)
     def propagation_kernel(

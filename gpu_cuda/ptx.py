@@ -54,7 +54,7 @@ def kernels(block, patch_width=5, channels=32, style_channels=3, guide_channels=
     yield "downsample", part["pyramid"].downsample_kernel, (_IMAGE, _IMAGE)
     yield "upsample NNF", part["pyramid"].upsample_nnf_kernel, (_NNF, _NNF, _INT, _INT, _INT)
     yield "random NNF", part["random_nnf"].random_nnf_kernel, (_NNF, _INT, _INT, _INT, _STREAM)
-    yield "fill", part["occurrence"].fill_kernel, (_MAP, _INT)
+    yield "fill", part["memory"].fill_kernel, (types.int32[::1], _INT)
     yield "count assignments", part["occurrence"].count_kernel, (_NNF, _MAP)
     yield "box sum", part["occurrence"].make_box_sum_kernel(patch_width), (_MAP, _MAP)
     yield "energy", part["energy"].sum_columns_kernel, (_NNF, _DELTA, _MAP, types.int64[:, ::1])

@@ -16,7 +16,7 @@ def make_kernel(patch_width, channels, mean_channels, block=BLOCK, shared=False)
     """Compile Kernel_RandomSearch; parameters as for :func:`gpu_cuda.propagation.make_kernel`."""
     radius = patch_width // 2
     improve_proposal = make_improve_proposal(mean_channels)
-    tile = tile_shape(block, radius, channels)
+    tile = tile_shape(block, radius, channels) if shared else (1, 1, 1)
 
     @compiled_for(block)
     def random_search_kernel(

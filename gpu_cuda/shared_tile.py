@@ -1,13 +1,31 @@
 """The target patches of a block in shared memory (thesis 5.1)."""
 
+from math import prod
+
 from numba import njit
 
 from gpu_cuda.device import formula
+from stylit_ref.errors import InputError
+
+SHARED_BYTES = 48 << 10
+"""Of a block, as every device has them."""
 
 
 def tile_shape(block, radius, channels):
-    """Rows, columns and channels of the tile that holds a block's patches: 36x36 for 32x32."""
-    return block[1] + 2 * radius, block[0] + 2 * radius, channels
+    """Rows, columns and channels of the tile that holds a block's patches: 36x36 for 32x32.
+
+    Raises
+    ------
+    InputError
+        If they take more shared memory than there is.
+    """
+    shape = block[1] + 2 * radius, block[0] + 2 * radius, channels
+    if prod(shape) > SHARED_BYTES:
+        raise InputError(
+            f"target patches of a block of {block[0]}x{block[1]} threads take {prod(shape)} bytes "
+            f"of shared memory at patch width {2 * radius + 1}; {SHARED_BYTES} are there"
+        )
+    return shape
 
 
 @formula

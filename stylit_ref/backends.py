@@ -40,7 +40,7 @@ def passes_of(backend, params):
         return passes
     if cpu_alone:
         raise InputError(f"there are no kernels for {what}; backend must be 'cpu'")
-    missing = import_module("gpu_cuda.doctor").missing()
+    missing = _missing()
     if missing and backend == "auto" and not gpu_alone:
         return passes
     if missing:
@@ -51,6 +51,17 @@ def passes_of(backend, params):
     return import_module("gpu_cuda.shared_memory" if shared else "gpu_cuda")
 
 
+def _missing():
+    """One clause that says why kernels cannot run, or None."""
+    try:
+        return import_module("gpu_cuda.doctor").missing()
+    except ImportError as error:  # of numba-cuda, where a part of it is not installed
+        return f"the kernels cannot be loaded: {error}"
+
+
 def cuda_report():
     """Lines of text: what of a GPU's software there is."""
-    return import_module("gpu_cuda.doctor").report()
+    try:
+        return import_module("gpu_cuda.doctor").report()
+    except ImportError as error:
+        return [f"GPU          none: the kernels cannot be loaded: {error}"]

@@ -309,7 +309,7 @@ def bad_scene(**changes):
         ({"threads": 1.0}, "threads is 1.0"),
         ({"threads": 0}, "threads is 0"),
         ({"threads": 100000}, "threads is 100000"),
-        ({"backend": "cuda"}, "'cuda'"),
+        ({"backend": "gpu"}, "must be 'cpu', 'cuda' or 'auto'"),
         ({"mask": np.ones((38, 44), bool)}, "whole target"),
         ({"mask": np.zeros((38, 43), bool)}, "mask is 43x38 but the target is 44x38"),
         ({"mask": np.zeros((38, 44))}, "float64"),

@@ -6,7 +6,10 @@ from device_level import on_device, to_host
 from small_level import make_level
 
 import gpu_cuda
-from stylit_ref.formulae.random_stream import RANDOM_SEARCH, random_stream
+from stylit_ref import passes
+from stylit_ref.formulae.candidates import random_candidate
+from stylit_ref.formulae.improve_assignment import improve_assignment
+from stylit_ref.formulae.random_stream import RANDOM_SEARCH, random_stream, random_words
 
 CASES = [{}, {"patch_width": 3, "uniformity": 100000}, {"crowded": True, "smooth": True}]
 
@@ -32,5 +35,37 @@ def test_the_map_is_a_recount_and_phi_falls(case, with_sums):
     level.init_occurrence_map()
     recount = level.omega_sums if with_sums else level.omega
     np.testing.assert_array_equal(to_host(occurrences), recount)
-    assert level.omega.sum() == level.patch_width**2 * level.delta.size
+    if not with_sums:
+        assert to_host(occurrences).sum() == level.patch_width**2 * level.delta.size
     assert sum(level.energy()) < sum(before)
+
+
+@pytest.mark.parametrize("with_sums", [False, True], ids=["Ω", "W"])
+@pytest.mark.parametrize("seed", range(4))
+def test_a_thread_alone_does_what_the_formula_does(seed, with_sums):
+    """One patch that a mask leaves: ImproveAssignment of 3.2, candidate after candidate."""
+    masked = np.ones((14, 12), bool)
+    masked[6, 7] = False
+    level = make_level(seed=seed, masked=masked, uniformity=20, smooth=True)
+    rng = np.random.default_rng(seed)
+    level.omega += rng.integers(0, 3, level.omega.shape, dtype=np.int32)
+    level.omega_sums[:] = passes.box_sum(level.omega, level.patch_width)
+    device = on_device(level)
+    occurrences = device.omega_sums if with_sums else device.omega
+    stream = random_stream(seed, RANDOM_SEARCH, 1)
+    gpu_cuda.live_random_search(
+        device.textures, occurrences, with_sums, level.occurrence_weight, level.patch_width,
+        device.nnf, stream,
+    )  # fmt: skip
+
+    centre = best = tuple(map(int, level.nnf[6, 7]))
+    for k, search_radius in enumerate((1, 2, 4)):
+        words = random_words(stream, 6 * 12 + 7, k)
+        candidate = random_candidate(*words[:2], *centre, search_radius, 2, *level.omega.shape)
+        best = improve_assignment(
+            level.textures.source, level.textures.target, level.textures.weights, level.omega,
+            level.occurrence_weight, level.patch_width, 6, 7, *candidate, *best,
+        )  # fmt: skip
+    assert tuple(to_host(device.nnf)[6, 7]) == best
+    expected = passes.box_sum(level.omega, level.patch_width) if with_sums else level.omega
+    np.testing.assert_array_equal(to_host(occurrences), expected)
