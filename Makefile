@@ -60,7 +60,7 @@ lint: $(VENV)/lint.installed ## ruff and import contracts
 	touch $@
 
 help:
-	@grep -E '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## */\t/'
+	@grep -E '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## */\t/'
 
 clean: ## remove the environment and cached runs
 	rm -rf $(VENV) .venv-ptx build

@@ -65,7 +65,7 @@ def comparison(file, rows, zoom):
                 Rectangle((left, top), right - left, bottom - top, fill=False, color="lime")
             )
             axes[2 * k + 1, column].imshow(image[top:bottom, left:right], interpolation="nearest")
-    figure.savefig(file, dpi=150)
+    figure.savefig(file, dpi=100)
 
 
 def _in_colour(image):

@@ -18,6 +18,7 @@ from gpu_cuda.device import launch
 from gpu_cuda.formulae import (
     delta,
     patch_omega,
+    penalization,
     propagation_candidate,
     random_candidate,
     random_words,
@@ -40,20 +41,20 @@ def make_kernels(patch_width, with_sums):
     update = update_omega_sums if with_sums else update_patch_omega
 
     @cuda.jit(device=True)
-    def penalization(omega, occurrence_weight, source_y, source_x):
-        if with_sums:
-            return occurrence_weight * np.int64(omega[source_y, source_x])
+    def summed_penalization(omega, occurrence_weight, source_y, source_x):
         return occurrence_weight * np.int64(patch_omega(omega, patch_width, source_y, source_x))
+
+    lambda_rho = penalization if with_sums else summed_penalization
 
     @cuda.jit(device=True)
     def improve_assignment(
         source, target, weights, omega, occurrence_weight, y, x, new_y, new_x, current_y, current_x
     ):
         """Keep the closer of two assignments and bring Ω up to date (ImproveAssignment, 3.2)."""
-        phi_current = penalization(omega, occurrence_weight, current_y, current_x) + delta(
+        phi_current = lambda_rho(omega, occurrence_weight, current_y, current_x) + delta(
             source, target, weights, patch_width, y, x, current_y, current_x
         )
-        phi_new = penalization(omega, occurrence_weight, new_y, new_x) + delta(
+        phi_new = lambda_rho(omega, occurrence_weight, new_y, new_x) + delta(
             source, target, weights, patch_width, y, x, new_y, new_x
         )
         if phi_new < phi_current:
