@@ -48,6 +48,8 @@ def formula(function):
 
 
 def _undisguised(argument):
+    if isinstance(argument, tuple):
+        return tuple(map(_undisguised, argument))
     item = getattr(argument, "_item", None) if not isinstance(argument, np.generic) else None
     return item._ary if item is not None else argument
 

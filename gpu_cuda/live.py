@@ -14,29 +14,33 @@ from functools import lru_cache
 import numpy as np
 from numba import cuda
 
-from gpu_cuda.device import launch
+from gpu_cuda.device import formula, launch
 from gpu_cuda.formulae import (
-    delta,
     patch_omega,
     penalization,
     propagation_candidate,
     random_candidate,
     random_words,
 )
+from gpu_cuda.improve_proposal import NO_LIMIT, make_assignment_delta
+from gpu_cuda.metric import metric_arrays, metric_constants
 from gpu_cuda.patch_penalization import make_atomic_updates
+from gpu_cuda.target_patches import make_target_patch
 
 
 @lru_cache
-def make_kernels(patch_width, with_sums):
+def make_kernels(constants, with_sums):
     """Compile Kernel_Propagation and Kernel_RandomSearch of 3.3.
 
     Parameters
     ----------
-    patch_width : int
+    constants : gpu_cuda.metric.MetricConstants
     with_sums : bool
         Whether the map is W, not Ω.
     """
-    radius = patch_width // 2
+    patch_width, radius = constants.patch_width, constants.radius
+    assignment_delta = formula(make_assignment_delta(constants))
+    target_patch = make_target_patch(constants, None, shared=False)
     update_patch_omega, update_omega_sums = make_atomic_updates(patch_width)
     update = update_omega_sums if with_sums else update_patch_omega
 
@@ -48,14 +52,15 @@ def make_kernels(patch_width, with_sums):
 
     @cuda.jit(device=True)
     def improve_assignment(
-        source, target, weights, omega, occurrence_weight, y, x, new_y, new_x, current_y, current_x
+        metric, patch, omega, occurrence_weight, y, x, new_y, new_x, current_y, current_x
     ):
         """Keep the closer of two assignments and bring Ω up to date (ImproveAssignment, 3.2)."""
-        phi_current = lambda_rho(omega, occurrence_weight, current_y, current_x) + delta(
-            source, target, weights, patch_width, y, x, current_y, current_x
+        source_width = omega.shape[1]
+        phi_current = lambda_rho(omega, occurrence_weight, current_y, current_x) + assignment_delta(
+            metric, source_width, patch, y, x, current_y, current_x, NO_LIMIT
         )
-        phi_new = lambda_rho(omega, occurrence_weight, new_y, new_x) + delta(
-            source, target, weights, patch_width, y, x, new_y, new_x
+        phi_new = lambda_rho(omega, occurrence_weight, new_y, new_x) + assignment_delta(
+            metric, source_width, patch, y, x, new_y, new_x, NO_LIMIT
         )
         if phi_new < phi_current:
             update(omega, new_y, new_x, 1)
@@ -65,12 +70,15 @@ def make_kernels(patch_width, with_sums):
 
     @cuda.jit
     def propagation_kernel(
-        source, target, weights, omega, occurrence_weight, nnf, new_nnf, distance
-    ):
+        source, target, weights, guide_map, target_sums, source_sums, omega, occurrence_weight,
+        nnf, new_nnf, distance,
+    ):  # fmt: skip
         x, y = cuda.grid(2)
         height, width = nnf.shape[0], nnf.shape[1]
         if y >= height or x >= width:
             return
+        metric = source, weights, guide_map, target_sums, source_sums
+        patch = target_patch(target, width, y, x)
         best_y, best_x = np.int64(nnf[y, x, 0]), np.int64(nnf[y, x, 1])
         if best_y >= 0:
             for dy, dx in ((0, distance), (distance, 0), (0, -distance), (-distance, 0)):
@@ -84,17 +92,22 @@ def make_kernels(patch_width, with_sums):
                     radius, omega.shape[0], omega.shape[1],
                 )  # fmt: skip
                 best_y, best_x = improve_assignment(
-                    source, target, weights, omega, occurrence_weight, y, x,
+                    metric, patch, omega, occurrence_weight, y, x,
                     np.int64(candidate_y), np.int64(candidate_x), best_y, best_x,
                 )  # fmt: skip
         new_nnf[y, x, 0], new_nnf[y, x, 1] = best_y, best_x
 
     @cuda.jit
-    def random_search_kernel(source, target, weights, omega, occurrence_weight, nnf, stream):
+    def random_search_kernel(
+        source, target, weights, guide_map, target_sums, source_sums, omega, occurrence_weight,
+        nnf, stream,
+    ):  # fmt: skip
         x, y = cuda.grid(2)
         height, width = nnf.shape[0], nnf.shape[1]
         if y >= height or x >= width or nnf[y, x, 0] < 0:
             return
+        metric = source, weights, guide_map, target_sums, source_sums
+        patch = target_patch(target, width, y, x)
         centre_y, centre_x = np.int64(nnf[y, x, 0]), np.int64(nnf[y, x, 1])
         best_y, best_x = centre_y, centre_x
         search_radius, k = 1, 0
@@ -105,7 +118,7 @@ def make_kernels(patch_width, with_sums):
                 radius, omega.shape[0], omega.shape[1],
             )  # fmt: skip
             best_y, best_x = improve_assignment(
-                source, target, weights, omega, occurrence_weight, y, x,
+                metric, patch, omega, occurrence_weight, y, x,
                 np.int64(candidate_y), np.int64(candidate_x), best_y, best_x,
             )  # fmt: skip
             search_radius, k = 2 * search_radius, k + 1
@@ -129,10 +142,10 @@ def live_propagation(
         NNF and NNF' of the thesis.
     distance : int
     """
-    kernel, _ = make_kernels(patch_width, are_sums)
+    kernel, _ = make_kernels(metric_constants(textures, patch_width), are_sums)
     launch(
-        kernel, nnf.shape[:2], textures.source, textures.target, textures.weights,
-        occurrences, occurrence_weight, nnf, new_nnf, distance,
+        kernel, nnf.shape[:2], *metric_arrays(textures), occurrences, occurrence_weight,
+        nnf, new_nnf, distance,
     )  # fmt: skip
 
 
@@ -140,8 +153,8 @@ def live_random_search(
     textures, occurrences, are_sums, occurrence_weight, patch_width, nnf, stream
 ):
     """Kernel_RandomSearch of 3.3, parameters as for :func:`live_propagation`."""
-    _, kernel = make_kernels(patch_width, are_sums)
+    _, kernel = make_kernels(metric_constants(textures, patch_width), are_sums)
     launch(
-        kernel, nnf.shape[:2], textures.source, textures.target, textures.weights,
-        occurrences, occurrence_weight, nnf, stream,
+        kernel, nnf.shape[:2], *metric_arrays(textures), occurrences, occurrence_weight,
+        nnf, stream,
     )  # fmt: skip

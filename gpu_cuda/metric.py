@@ -1,25 +1,72 @@
 """What the kernels of the search need of the textures."""
 
-from functools import cache
+from functools import cache, lru_cache
+from typing import NamedTuple
 
 import numpy as np
 from numba import cuda
 
 from gpu_cuda.device import BLOCK, launch
+from gpu_cuda.patch_ssd import WORD_CHANNELS
 
 
-def constants(textures, patch_width):
-    """What the search is compiled for: patch width, packed channels, channels with means."""
+class MetricConstants(NamedTuple):
+    """What the code of the metric is compiled for.
+
+    Attributes
+    ----------
+    patch_width : int
+    channels : int
+        Packed channels of a pixel, a multiple of 16.
+    weighted_channels : int
+        Without those at the end that weigh nothing.
+    mean_channels : int
+        The first of them, which means may stand for; 0 without a guide map.
+    """
+
+    patch_width: int
+    channels: int
+    weighted_channels: int
+    mean_channels: int
+
+    @property
+    def radius(self):
+        """Patch radius."""
+        return self.patch_width // 2
+
+    @property
+    def pixel_words(self):
+        """Words of a packed pixel."""
+        return self.channels // WORD_CHANNELS
+
+    @property
+    def weighted_words(self):
+        """Words of a pixel that are read."""
+        return -(-self.weighted_channels // WORD_CHANNELS)
+
+
+def metric_constants(textures, patch_width):
+    """The constants of a level's metric."""
     mean_channels = 0 if textures.guide_map is None else textures.source_sums.shape[2]
-    return patch_width, textures.source.shape[2], mean_channels
+    weighted_channels = 2 * (1 + int(np.flatnonzero(textures.pair_weights)[-1]))
+    return MetricConstants(patch_width, textures.source.shape[2], weighted_channels, mean_channels)
 
 
 def metric_arrays(textures):
-    """Ā, B̄, weights, G, M_B and M_A, as kernels take them; stand-ins without a guide map."""
+    """Ā, B̄, weights, G, M_B and M_A, as kernels take them.
+
+    The textures are flat arrays of words; without a guide map the last three are stand-ins.
+    """
     means = textures.guide_map, textures.target_sums, textures.source_sums
     if textures.guide_map is None:
         means = _no_means()
-    return textures.source, textures.target, textures.weights, *means
+    weights = _pair_weights(textures.pair_weights.tobytes())
+    return words(textures.source), words(textures.target), weights, *means
+
+
+def words(texture):
+    """A packed texture of the device as a flat array of uint32."""
+    return texture.reshape(texture.size).view(np.uint32)
 
 
 def launch_search(
@@ -28,10 +75,15 @@ def launch_search(
 ):  # fmt: skip
     """Run Kernel_Propagation or Kernel_RandomSearch; ``parameters`` are its last arguments."""
     launch(
-        make_kernel(*constants(textures, patch_width), block, shared), delta.shape,
+        make_kernel(metric_constants(textures, patch_width), block, shared), delta.shape,
         *metric_arrays(textures), omega_sums, occurrence_weight,
         nnf, delta, new_nnf, new_delta, *parameters, block=block,
     )  # fmt: skip
+
+
+@lru_cache
+def _pair_weights(values):
+    return cuda.to_device(np.frombuffer(values, np.uint32))
 
 
 @cache

@@ -11,31 +11,34 @@ from unittest import mock
 from numba import cuda, types
 
 from gpu_cuda import live
+from gpu_cuda.metric import MetricConstants
 
 CAPABILITIES = ((7, 5), (9, 0))
 BLOCKS = (32, 8), (32, 32)
 """Threads of a block along x and y: the default, and the thesis' (4.1)."""
 
 _IMAGE, _SUMS = types.uint8[:, :, ::1], types.uint16[:, :, ::1]
-_WEIGHTS, _MAP, _WHITE = types.int64[::1], types.int32[:, ::1], types.boolean[:, ::1]
+_WORDS, _MAP, _WHITE = types.uint32[::1], types.int32[:, ::1], types.boolean[:, ::1]
 _NNF, _DELTA = types.int32[:, :, ::1], types.int64[:, ::1]
 _INT, _STREAM = types.int64, types.UniTuple(types.uint32, 4)
-_METRIC = _IMAGE, _IMAGE, _WEIGHTS, _WHITE, _SUMS, _SUMS
+_METRIC = _WORDS, _WORDS, _WORDS, _WHITE, _SUMS, _SUMS
 _SEARCH = *_METRIC, _MAP, _INT, _NNF, _DELTA, _NNF, _DELTA
 
 
 def kernels(block, patch_width=5, channels=32, style_channels=3, guide_channels=16):
     """Name, kernel and argument types of every kernel, at the thesis' sizes by default."""
     part = {name: import_module(f"gpu_cuda.{name}") for name in _MODULES}
+    weighted_channels = guide_channels + style_channels + style_channels % 2
+    plain = MetricConstants(patch_width, channels, weighted_channels, 0)
+    with_map = plain._replace(mean_channels=guide_channels)
     for name, parameters in (("propagation", (_INT,)), ("random_search", (_STREAM, _INT))):
         make_kernel, arguments = part[name].make_kernel, (*_SEARCH, *parameters)
-        yield name, make_kernel(patch_width, channels, 0, block), arguments
-        yield f"{name}, shared", make_kernel(patch_width, channels, 0, block, True), arguments
-        with_map = make_kernel(patch_width, channels, guide_channels, block)
-        yield f"{name}, guide map", with_map, arguments
+        yield name, make_kernel(plain, block), arguments
+        yield f"{name}, shared", make_kernel(plain, block, True), arguments
+        yield f"{name}, guide map", make_kernel(with_map, block), arguments
     for with_sums, name in ((False, "Ω"), (True, "W")):
-        propagation, random_search = live.make_kernels(patch_width, with_sums)
-        arguments = _IMAGE, _IMAGE, _WEIGHTS, _MAP, _INT, _NNF
+        propagation, random_search = live.make_kernels(plain, with_sums)
+        arguments = *_METRIC, _MAP, _INT, _NNF
         yield f"live propagation, {name}", propagation, (*arguments, _NNF, _INT)
         yield f"live random search, {name}", random_search, (*arguments, _STREAM)
     commit = _NNF, _DELTA, _NNF, _DELTA, _MAP, _INT, _STREAM, _WHITE, types.int32[::1]
@@ -45,11 +48,10 @@ def kernels(block, patch_width=5, channels=32, style_channels=3, guide_channels=
         name = "vote, 4 outliers left out" if outliers else "vote"
         yield name, vote, (_IMAGE, _IMAGE, _NNF, _INT)
     yield "repeat edge", part["vote"].repeat_edge_kernel, (_IMAGE, _INT, _INT, _INT)
-    for mean_channels, name in ((0, "similarity"), (guide_channels, "similarity, guide map")):
-        similarity = part["similarity"].make_kernel(patch_width, mean_channels)
-        yield name, similarity, (*_METRIC, _NNF, _DELTA)
+    for constants, name in ((plain, "similarity"), (with_map, "similarity, guide map")):
+        yield name, part["similarity"].make_kernel(constants), (*_METRIC, _INT, _NNF, _DELTA)
     yield "means", part["means"].means_kernel, (_IMAGE, _SUMS, _INT, _INT)
-    guide_map = _IMAGE, _SUMS, _WEIGHTS, _INT, _INT, _WHITE
+    guide_map = _IMAGE, _SUMS, types.int64[::1], _INT, _INT, _WHITE
     yield "guide map", part["guide_map"].guide_map_kernel, guide_map
     yield "downsample", part["pyramid"].downsample_kernel, (_IMAGE, _IMAGE)
     yield "upsample NNF", part["pyramid"].upsample_nnf_kernel, (_NNF, _NNF, _INT, _INT, _INT)

@@ -2,21 +2,21 @@
 
 from functools import lru_cache
 
-import numpy as np
 from numba import cuda
 
-from gpu_cuda.device import BLOCK, compiled_for
-from gpu_cuda.formulae import make_improve_proposal, penalization, random_candidate, random_words
+from gpu_cuda.device import BLOCK, compiled_for, formula
+from gpu_cuda.formulae import penalization, random_candidate, random_words
+from gpu_cuda.improve_proposal import make_improve_proposal
 from gpu_cuda.metric import launch_search
-from gpu_cuda.shared_tile import fill_tile, tile_shape
+from gpu_cuda.target_patches import make_target_patch
 
 
 @lru_cache
-def make_kernel(patch_width, channels, mean_channels, block=BLOCK, shared=False):
+def make_kernel(constants, block=BLOCK, shared=False):
     """Compile Kernel_RandomSearch; parameters as for :func:`gpu_cuda.propagation.make_kernel`."""
-    radius = patch_width // 2
-    improve_proposal = make_improve_proposal(mean_channels)
-    tile = tile_shape(block, radius, channels) if shared else (1, 1, 1)
+    radius = constants.radius
+    improve_proposal = formula(make_improve_proposal(constants))
+    target_patch = make_target_patch(constants, block, shared)
 
     @compiled_for(block)
     def random_search_kernel(
@@ -24,15 +24,11 @@ def make_kernel(patch_width, channels, mean_channels, block=BLOCK, shared=False)
         occurrence_weight, nnf, delta, new_nnf, new_delta, stream, side,
     ):  # fmt: skip
         x, y = cuda.grid(2)
-        patches, patch_y, patch_x = target, y, x
-        if shared:
-            patches = cuda.shared.array(tile, np.uint8)
-            patch_y, patch_x = cuda.threadIdx.y, cuda.threadIdx.x
-            fill_tile(target, patches, radius, y - patch_y, x - patch_x, patch_y, patch_x)
-            cuda.syncthreads()
         height, width = delta.shape
+        patch = target_patch(target, width, y, x)
         if y >= height or x >= width:
             return
+        metric = source, weights, guide_map, target_sums, source_sums
         best_y, best_x, best_delta = nnf[y, x, 0], nnf[y, x, 1], delta[y, x]
         if best_y >= 0:
             best_phi = best_delta + penalization(omega_sums, occurrence_weight, best_y, best_x)
@@ -46,8 +42,7 @@ def make_kernel(patch_width, channels, mean_channels, block=BLOCK, shared=False)
                     radius, omega_sums.shape[0], omega_sums.shape[1],
                 )  # fmt: skip
                 best_y, best_x, best_delta, best_phi = improve_proposal(
-                    source, patches, weights, guide_map, target_sums, source_sums, omega_sums,
-                    occurrence_weight, patch_width, y, x, patch_y, patch_x,
+                    metric, patch, omega_sums, occurrence_weight, y, x,
                     candidate_y, candidate_x, best_y, best_x, best_delta, best_phi,
                 )  # fmt: skip
                 search_radius, k = 2 * search_radius, k + 1

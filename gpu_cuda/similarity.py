@@ -4,23 +4,29 @@ from functools import lru_cache
 
 from numba import cuda
 
-from gpu_cuda.device import launch
-from gpu_cuda.formulae import make_assignment_delta
-from gpu_cuda.metric import constants, metric_arrays
+from gpu_cuda.device import formula, launch
+from gpu_cuda.improve_proposal import NO_LIMIT, make_assignment_delta
+from gpu_cuda.metric import metric_arrays, metric_constants
+from gpu_cuda.target_patches import make_target_patch
 
 
 @lru_cache
-def make_kernel(patch_width, mean_channels):
-    """Compile the kernel for a patch width and the guide channels that have means."""
-    assignment_delta = make_assignment_delta(mean_channels)
+def make_kernel(constants):
+    """Compile the kernel for a level's :class:`gpu_cuda.metric.MetricConstants`."""
+    assignment_delta = formula(make_assignment_delta(constants))
+    target_patch = make_target_patch(constants, None, shared=False)
 
     @cuda.jit
-    def similarity_kernel(source, target, weights, guide_map, target_sums, source_sums, nnf, delta):
+    def similarity_kernel(
+        source, target, weights, guide_map, target_sums, source_sums, source_width, nnf, delta
+    ):
         x, y = cuda.grid(2)
-        if y < delta.shape[0] and x < delta.shape[1] and nnf[y, x, 0] >= 0:
+        height, width = delta.shape
+        if y < height and x < width and nnf[y, x, 0] >= 0:
+            metric = source, weights, guide_map, target_sums, source_sums
             delta[y, x] = assignment_delta(
-                source, target, weights, guide_map, target_sums, source_sums, patch_width,
-                y, x, y, x, nnf[y, x, 0], nnf[y, x, 1],
+                metric, source_width, target_patch(target, width, y, x), y, x,
+                nnf[y, x, 0], nnf[y, x, 1], NO_LIMIT,
             )  # fmt: skip
 
     return similarity_kernel
@@ -28,6 +34,5 @@ def make_kernel(patch_width, mean_channels):
 
 def similarity(textures, patch_width, nnf, delta):
     """As :func:`stylit_ref.passes.similarity`, on device arrays."""
-    _, _, mean_channels = constants(textures, patch_width)
-    kernel = make_kernel(patch_width, mean_channels)
-    launch(kernel, delta.shape, *metric_arrays(textures), nnf, delta)
+    kernel = make_kernel(metric_constants(textures, patch_width))
+    launch(kernel, delta.shape, *metric_arrays(textures), textures.source.shape[1], nnf, delta)

@@ -9,6 +9,7 @@ Fixed point keeps the penalization exact: with
 one integer weight, ``occurrence_weight``, times an integer sum.
 """
 
+import numpy as np
 from numba import njit
 
 
@@ -33,6 +34,12 @@ def patch_omega(omega, patch_width, source_y, source_x):
         for dx in range(-radius, radius + 1):
             total += omega[source_y + dy, source_x + dx]
     return total
+
+
+@njit
+def penalization(omega_sums, occurrence_weight, source_y, source_x):
+    """λρ(Q) from W as an exact int64 in fixed point (thesis 2.1)."""
+    return occurrence_weight * np.int64(omega_sums[source_y, source_x])
 
 
 @njit

@@ -6,6 +6,7 @@ from numba import cuda
 
 import gpu_cuda
 
+HOST_ALONE = "pair_weights", "moment_weights", "style_pair_weights"
 ARRAYS = ("nnf", "delta", "proposed_nnf", "proposed_delta", "omega", "omega_sums")
 
 
@@ -13,8 +14,12 @@ def on_device(level):
     """The same level with its arrays on the device and CUDA's passes."""
     twin = copy(level)
     twin.passes = gpu_cuda
-    twin.textures = type(level.textures)(
-        *(None if array is None else cuda.to_device(array) for array in level.textures)
+    twin.textures = level.textures._replace(
+        **{
+            name: cuda.to_device(array)
+            for name, array in level.textures._asdict().items()
+            if array is not None and name not in HOST_ALONE
+        }
     )
     for name in ARRAYS:
         setattr(twin, name, cuda.to_device(getattr(level, name)))

@@ -10,7 +10,8 @@ from small_level import make_level
 
 import gpu_cuda
 from gpu_cuda import shared_memory
-from gpu_cuda.metric import launch_search
+from gpu_cuda.metric import MetricConstants, launch_search
+from gpu_cuda.target_patches import make_target_patch
 from stylit_ref import InputError, passes
 from stylit_ref.formulae.random_stream import (
     COMMIT_ORDER,
@@ -67,8 +68,8 @@ def test_signatures_mirror_the_passes(name):
 
 
 def test_a_tile_too_large_for_shared_memory_is_one_sentence():
-    with pytest.raises(InputError, match="take 56320 bytes of shared memory at patch width 13"):
-        import_module("gpu_cuda.propagation").make_kernel(13, 64, 0, (32, 8), shared=True)
+    with pytest.raises(InputError, match="take 59840 bytes of shared memory at patch width 13"):
+        make_target_patch(MetricConstants(13, 64, 64, 0), (32, 8), shared=True)
 
 
 @pytest.mark.parametrize("distance", [1, 4])
