@@ -13,7 +13,6 @@ from numba import cuda
 
 from gpu_cuda.device import launch_cooperative
 from gpu_cuda.formulae import commit_order, penalization
-from gpu_cuda.memory import empty, fill
 from gpu_cuda.patch_penalization import make_atomic_updates
 from stylit_ref.formulae.commit_classes import CLASS_STRIDE
 
@@ -34,7 +33,6 @@ def make_kernel(patch_width):
         omega_sums,
         occurrence_weight,
         stream,
-        moved,
         moves,
     ):
         grid = cuda.cg.this_grid()
@@ -42,6 +40,7 @@ def make_kernel(patch_width):
         commit_order(stream, order)
         height, width = delta.shape
         thread, threads = cuda.grid(1), cuda.gridsize(1)
+        moved = 0
         for n in range(CLASSES[0]):
             first_y, first_x = order[n, 0], order[n, 1]
             columns = (width - first_x + CLASS_STRIDE - 1) // CLASS_STRIDE
@@ -51,7 +50,6 @@ def make_kernel(patch_width):
                 x = first_x + CLASS_STRIDE * (k % columns)
                 old_y, old_x = nnf[y, x, 0], nnf[y, x, 1]
                 new_y, new_x = proposed_nnf[y, x, 0], proposed_nnf[y, x, 1]
-                moved[y, x] = False
                 if old_y == new_y and old_x == new_x:
                     continue
                 old_phi = delta[y, x] + penalization(omega_sums, occurrence_weight, old_y, old_x)
@@ -62,38 +60,32 @@ def make_kernel(patch_width):
                     nnf[y, x, 0], nnf[y, x, 1] = new_y, new_x
                     proposed_nnf[y, x, 0], proposed_nnf[y, x, 1] = old_y, old_x
                     delta[y, x] = proposed_delta[y, x]
-                    moved[y, x] = True
-                    cuda.atomic.add(moves, 0, 1)
+                    moved += 1
+                else:
+                    proposed_nnf[y, x, 0], proposed_nnf[y, x, 1] = old_y, old_x
             if occurrence_weight:
                 grid.sync()
                 for k in range(thread, pixels, threads):
                     y = first_y + CLASS_STRIDE * (k // columns)
                     x = first_x + CLASS_STRIDE * (k % columns)
-                    if moved[y, x]:
-                        update_omega_sums(omega_sums, nnf[y, x, 0], nnf[y, x, 1], 1)
-                        update_omega_sums(
-                            omega_sums, proposed_nnf[y, x, 0], proposed_nnf[y, x, 1], -1
-                        )
+                    new_y, new_x = nnf[y, x, 0], nnf[y, x, 1]
+                    old_y, old_x = proposed_nnf[y, x, 0], proposed_nnf[y, x, 1]
+                    if old_y != new_y or old_x != new_x:
+                        update_omega_sums(omega_sums, new_y, new_x, 1)
+                        update_omega_sums(omega_sums, old_y, old_x, -1)
                 grid.sync()
+        if moved:
+            cuda.atomic.add(moves, 0, moved)
 
     return commit_kernel
 
 
-@lru_cache(maxsize=1)
-def _scratch(size):
-    """Which pixels moved, and their number: allocated once a level."""
-    return empty(size, np.bool_), empty(1, np.int32)
-
-
 def commit(
-    nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, patch_width, stream
-):
+    nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, patch_width, stream,
+    moves,
+):  # fmt: skip
     """As :func:`stylit_ref.passes.commit`, on device arrays."""
-    moved, moves = _scratch(delta.shape)
-    fill(moves, 0)
     launch_cooperative(
         make_kernel(patch_width),
-        nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, stream,
-        moved, moves,
+        nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, stream, moves,
     )  # fmt: skip
-    return int(moves.copy_to_host()[0])

@@ -1,6 +1,6 @@
 """The device's memory: images go there before a run, and the result comes back when it is done.
 
-Between, each commit reads back how many pixels moved, and each iteration the energy of every
+Between, each iteration reads back for the history how many pixels moved, and the energy of every
 column.
 """
 

@@ -41,7 +41,7 @@ def kernels(block, patch_width=5, channels=32, style_channels=3, guide_channels=
         arguments = *_METRIC, _MAP, _INT, _NNF
         yield f"live propagation, {name}", propagation, (*arguments, _NNF, _INT)
         yield f"live random search, {name}", random_search, (*arguments, _STREAM)
-    commit = _NNF, _DELTA, _NNF, _DELTA, _MAP, _INT, _STREAM, _WHITE, types.int32[::1]
+    commit = _NNF, _DELTA, _NNF, _DELTA, _MAP, _INT, _STREAM, types.int64[::1]
     yield "commit", part["commit"].make_kernel(patch_width), commit
     for outliers in (0, 4):
         vote = part["vote"].make_kernel(patch_width, style_channels, outliers)

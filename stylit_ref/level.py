@@ -25,6 +25,8 @@ class Level:
         date, W only where φ has a weight for it; ``init_occurrence_map`` makes both anew.
     occurrence_weight : int
         Weight of W in φ.
+    moves : (1,) int64
+        Assignments that the level's commits have changed.
     """
 
     def __init__(self, passes, packing, params, source, target, synthesized):
@@ -62,6 +64,7 @@ class Level:
             source.shape[0] * source.shape[1],
             np.count_nonzero(synthesized),
         )
+        self.moves, self._moves_taken = passes.zeros(1, np.int64), 0
 
     def _add_guide_map(self, epsilon):
         """Evaluate_Means and Evaluate_Map (5.2.2): guides stay as they are all through a level."""
@@ -126,6 +129,11 @@ class Level:
             self.packing.style_channels,
             style_only=True,
         )
+
+    def take_moves(self):
+        """Assignments that commits have changed since this was last asked."""
+        before, self._moves_taken = self._moves_taken, int(self.passes.download(self.moves)[0])
+        return self._moves_taken - before
 
     def energy(self):
         """Mean δ and mean λρ, in the thesis' units."""

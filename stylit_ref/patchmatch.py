@@ -42,7 +42,7 @@ PROPAGATION_DISTANCES = (4, 2, 1)
 
 
 def propose_commit(level, seed, level_number, vote, iteration):
-    """One PatchMatch iteration of the default schedule; returns the number of moves."""
+    """One PatchMatch iteration of the default schedule."""
     passes = level.passes
     commit_stream = random_stream(seed, COMMIT_ORDER, level_number, vote, iteration)
     search_stream = random_stream(seed, RANDOM_SEARCH, level_number, vote, iteration)
@@ -53,13 +53,13 @@ def propose_commit(level, seed, level_number, vote, iteration):
     commitment = (
         level.nnf, level.delta, level.proposed_nnf, level.proposed_delta,
         level.omega_sums, level.occurrence_weight, level.patch_width, commit_stream,
+        level.moves,
     )  # fmt: skip
-    moves = 0
     for distance in PROPAGATION_DISTANCES:
         passes.propagation(*proposal, distance)
-        moves += passes.commit(*commitment)
+        passes.commit(*commitment)
     passes.random_search(*proposal, search_stream)
-    return moves + passes.commit(*commitment)
+    passes.commit(*commitment)
 
 
 def scanline(level, seed, level_number, vote, iteration):
@@ -125,5 +125,6 @@ def search(level, params, seed, level_number, vote):
         After every iteration.
     """
     for iteration in range(1, params.patchmatch_iterations + 1):
-        moves = SCHEDULES[params.schedule](level, seed, level_number, vote, iteration)
+        SCHEDULES[params.schedule](level, seed, level_number, vote, iteration)
+        moves = level.take_moves() if params.schedule == "propose_commit" else None
         yield SearchStep(iteration, moves, iteration / params.patchmatch_iterations)

@@ -77,8 +77,9 @@ def _commit(
 
 
 def commit(
-    nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, patch_width, stream
-):
+    nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, patch_width, stream,
+    moves,
+):  # fmt: skip
     """Take up proposals where φ falls, one class of target pixels after another.
 
     Within a class all decisions read W as the class began; then W follows.
@@ -96,11 +97,8 @@ def commit(
     stream : tuple of 4 uint32
         Decides the order of the classes
         (:func:`stylit_ref.formulae.commit_classes.commit_order`).
-
-    Returns
-    -------
-    int
-        Number of pixels that moved.
+    moves : (1,) int64
+        The number of pixels that moved is added to it.
     """
     height, width = delta.shape
     # The columns of the pixels that have a proposal, by row and class; then of those that moved.
@@ -117,4 +115,4 @@ def commit(
         )  # fmt: skip
     finally:
         set_num_threads(available)
-    return int(counts.sum())
+    moves[0] += counts.sum()

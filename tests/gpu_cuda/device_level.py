@@ -7,7 +7,7 @@ from numba import cuda
 import gpu_cuda
 
 HOST_ALONE = "pair_weights", "moment_weights", "style_pair_weights"
-ARRAYS = ("nnf", "delta", "proposed_nnf", "proposed_delta", "omega", "omega_sums")
+ARRAYS = ("nnf", "delta", "proposed_nnf", "proposed_delta", "omega", "omega_sums", "moves")
 
 
 def on_device(level):

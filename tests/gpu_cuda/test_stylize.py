@@ -63,12 +63,13 @@ def test_what_is_a_gpus_is_refused_on_the_cpu(values):
         stylize(*small_scene(**SCENE), Params(**(QUICK | values)))
 
 
-def test_results_come_back_once():
+def test_of_the_images_nothing_comes_back_before_the_end():
     profile = Profile()
-    params = Params(**(QUICK | {"levels": 1, "votes": 1}))
-    stylize(*small_scene(**SCENE), params, backend="cuda", profile=profile)
-    assert profile.calls["download"] == 4  # image, NNF, Ω, error
-    assert profile.calls["commit"] == 4
+    params = Params(**(QUICK | {"levels": 2, "votes": 1}))
+    result = stylize(*small_scene(**SCENE), params, backend="cuda", profile=profile)
+    results = ("image", "nnf", "omega", "error")
+    assert profile.calls["download"] == len(results) + len(result.history)  # numbers of moves
+    assert profile.calls["energy"] == len(result.history)
 
 
 @pytest.mark.parametrize("values", [{"method": "stylit"}, {"schedule": "scanline"}], ids=str)

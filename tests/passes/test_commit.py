@@ -22,10 +22,11 @@ STREAM = random_stream(3, COMMIT_ORDER)
 
 
 def commit(level):
-    return passes.commit(
+    passes.commit(
         level.nnf, level.delta, level.proposed_nnf, level.proposed_delta,
-        level.omega_sums, level.occurrence_weight, level.patch_width, STREAM,
+        level.omega_sums, level.occurrence_weight, level.patch_width, STREAM, level.moves,
     )  # fmt: skip
+    return level.take_moves()
 
 
 @pytest.mark.parametrize("case", [{}, {"uniformity": 100000}, {"patch_width": 3}], ids=str)
