@@ -12,30 +12,75 @@ import sys
 import time
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
+from tqdm import tqdm
 
 import gpu_cuda
 from eval.circumstances import circumstances
 from eval.synthesis import synthesis
-from gpu_cuda import doctor, shared_memory
-from gpu_cuda.device import synchronized
+from gpu_cuda import doctor, launched_commit, shared_memory
+from gpu_cuda.metric import launch_search
+from gpu_cuda.propagation import make_kernel as make_propagation_kernel
+from gpu_cuda.random_search import make_kernel as make_random_search_kernel
 from stylit_ref import InputError, Params, Profile, passes
 
 UNIFORMITIES = (0, 5000, 10000)
 RUNS = 3
+SEARCH = "propagation", "random_search", "commit", "live_propagation", "live_random_search"
+"""The stages of GPU_PatchMatch. A live schedule's runs also count Ω anew and evaluate δ after every
+iteration, for the history; the thesis' do not."""
 
-SETTINGS = {
-    f"{name}, λ = {uniformity}": (replace(params, uniformity=uniformity), module)
-    for uniformity in UNIFORMITIES
-    for name, params, module in (
-        ("propose_commit", Params(), gpu_cuda),
-        ("live", Params(schedule="live"), gpu_cuda),
-        ("live with W", Params(schedule="live_sums"), gpu_cuda),
-        ("shared memory", Params("shared_memory"), shared_memory),
-    )
-} | {"guide_map, ε = 100": (Params("guide_map", epsilon=100.0), gpu_cuda)}
-"""Params and module of passes of every whole run."""
+
+def in_blocks(block, shared):
+    """The passes with blocks of another size.
+
+    Parameters
+    ----------
+    block : (int, int)
+        Threads of a block along x and y.
+    shared : bool
+        Whether a block's target patches lie in shared memory.
+    """
+    others = {name: getattr(gpu_cuda, name) for name in gpu_cuda.__all__}
+
+    def propagation(*search):
+        launch_search(make_propagation_kernel, *search, block=block, shared=shared)
+
+    def random_search(textures, *search):
+        side = max(search[4].shape)  # of δ
+        launch_search(
+            make_random_search_kernel, textures, *search, side, block=block, shared=shared
+        )
+
+    others |= {"propagation": propagation, "random_search": random_search}
+    return SimpleNamespace(__all__=gpu_cuda.__all__, **others)
+
+
+SETTINGS = (
+    {
+        f"{name}, λ = {uniformity}": (replace(params, uniformity=uniformity), module)
+        for uniformity in UNIFORMITIES
+        for name, params, module in (
+            ("propose_commit", Params(), gpu_cuda),
+            ("live", Params(schedule="live"), gpu_cuda),
+            ("live with W", Params(schedule="live_sums"), gpu_cuda),
+            ("shared memory", Params("shared_memory"), shared_memory),
+        )
+    }
+    | {"guide_map, ε = 100": (Params("guide_map", epsilon=100.0), gpu_cuda)}
+    | {"a launch for each step of a commit": (Params(), launched_commit)}
+    | {
+        f"blocks of {columns}x{rows}{', shared memory' * shared}": (
+            Params(),
+            in_blocks((columns, rows), shared),
+        )
+        for columns, rows in ((16, 16), (32, 32))
+        for shared in (False, True)
+    }
+)
+"""Params and module of passes of every whole run; without λ in the name it is the default."""
 
 
 def record(style, source_guides, target_guides, settings=SETTINGS):
@@ -51,36 +96,42 @@ def record(style, source_guides, target_guides, settings=SETTINGS):
     Returns
     -------
     dict
+        ``seconds`` of whole runs from host to host, ``search [s]`` and ``kernels [s]`` of runs
+        that wait after every pass.
     """
     scene = style, source_guides, target_guides
     height, width = target_guides[0].shape[:2]
-    found = {"size": f"{width}x{height}", "identical to the CPU": {}, "seconds": {}, "energy": {}}
-    for name, (params, module) in settings.items():
+    parts = "identical to the CPU", "seconds", "search [s]", "energy", "kernels [s]"
+    found = {"size": f"{width}x{height}"} | {part: {} for part in parts}
+    on_cpu = {}
+    for name, (params, module) in tqdm(settings.items(), unit="setting", disable=None):
         seconds = []
         for _ in range(1 + RUNS):  # the first compiles
             start = time.perf_counter()
             level = synthesis(*scene, params, module)
-            nnf = module.download(level.nnf)
+            nnf, image = module.download(level.nnf), level.style
             seconds.append(time.perf_counter() - start)
         found["seconds"][name] = statistics.median(seconds[1:])
         level.init_occurrence_map()
         found["energy"][name] = level.energy()
         if params.schedule == "propose_commit":
             method = "ref" if params.method == "shared_memory" else params.method
-            on_cpu = synthesis(*scene, replace(params, method=method), passes)
+            same = replace(params, method=method)
+            if same not in on_cpu:
+                on_cpu[same] = synthesis(*scene, same, passes)
             found["identical to the CPU"][name] = bool(
-                (nnf == on_cpu.nnf).all()
-                and (level.style == on_cpu.style).all()
-                and (module.download(level.omega) == on_cpu.omega).all()
+                (nnf == on_cpu[same].nnf).all()
+                and (image == on_cpu[same].style).all()
+                and (module.download(level.omega) == on_cpu[same].omega).all()
             )
-    found["kernels [s]"] = {}
-    for name, (params, module) in settings.items():
         profile = Profile()
-        synthesis(*scene, params, profile.passes(synchronized(module)))
+        synthesis(*scene, params, profile.passes(module))
         found["kernels [s]"][name] = {
             stage: {"seconds": seconds, "calls": profile.calls[stage]}
             for stage, seconds in profile.seconds.items()
+            if profile.calls[stage]
         }
+        found["search [s]"][name] = sum(profile.seconds.get(stage, 0.0) for stage in SEARCH)
     return found
 
 
@@ -129,7 +180,7 @@ def main(arguments=None):
     except InputError as error:
         print(f"eval.gpu_record: {error}", file=sys.stderr)
         return 2
-    device = re.sub(r"\W+", "_", doctor.report()[-1].partition(" ")[2].split(",")[0]).strip("_")
+    device = re.sub(r"\W+", "_", doctor.device_name()).strip("_")
     folder = Path("reports/gpu")
     folder.mkdir(parents=True, exist_ok=True)
     text = json.dumps(result, indent=1, ensure_ascii=False)

@@ -10,7 +10,7 @@ from gpu_cuda.energy import energy
 from gpu_cuda.guide_map import guide_map
 from gpu_cuda.live import live_propagation, live_random_search
 from gpu_cuda.means import means
-from gpu_cuda.memory import download, repeat_edge, upload, zeros
+from gpu_cuda.memory import download, repeat_edge, upload, wait, zeros
 from gpu_cuda.occurrence import occurrence_map
 from gpu_cuda.patch_moments import moments_storage, patch_moments
 from gpu_cuda.propagation import propagation
@@ -40,5 +40,6 @@ __all__ = [
     "upload",
     "upsample_nnf",
     "vote",
+    "wait",
     "zeros",
 ]

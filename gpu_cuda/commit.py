@@ -11,68 +11,87 @@ from functools import lru_cache
 import numpy as np
 from numba import cuda
 
-from gpu_cuda.device import launch_cooperative
+from gpu_cuda.device import device_function, launch_cooperative
 from gpu_cuda.formulae import commit_order, penalization
 from gpu_cuda.patch_penalization import make_atomic_updates
 from stylit_ref.formulae.commit_classes import CLASS_STRIDE
 
-CLASSES = CLASS_STRIDE**2, 2
+CLASSES = CLASS_STRIDE**2
+
+
+@device_function
+def class_size(size, first):
+    """Rows, or columns, of the class that begins at one of them."""
+    return (size - first + CLASS_STRIDE - 1) // CLASS_STRIDE
+
+
+@device_function
+def decide(nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, y, x):
+    """Take up the proposal if φ falls, and leave the old assignment in its place; 1 if so.
+
+    A proposal that is not taken up becomes the assignment: NNF' differs where one moved.
+    """
+    old_y, old_x = nnf[y, x, 0], nnf[y, x, 1]
+    new_y, new_x = proposed_nnf[y, x, 0], proposed_nnf[y, x, 1]
+    if old_y == new_y and old_x == new_x:
+        return 0
+    old_phi = delta[y, x] + penalization(omega_sums, occurrence_weight, old_y, old_x)
+    new_phi = proposed_delta[y, x] + penalization(omega_sums, occurrence_weight, new_y, new_x)
+    proposed_nnf[y, x, 0], proposed_nnf[y, x, 1] = old_y, old_x
+    if new_phi >= old_phi:
+        return 0
+    nnf[y, x, 0], nnf[y, x, 1] = new_y, new_x
+    delta[y, x] = proposed_delta[y, x]
+    return 1
+
+
+@lru_cache
+def make_follow(patch_width):
+    """Compile the other half of a move: W follows it."""
+    _, update_omega_sums = make_atomic_updates(patch_width)
+
+    @device_function
+    def follow(nnf, proposed_nnf, omega_sums, y, x):
+        new_y, new_x = nnf[y, x, 0], nnf[y, x, 1]
+        old_y, old_x = proposed_nnf[y, x, 0], proposed_nnf[y, x, 1]
+        if old_y != new_y or old_x != new_x:
+            update_omega_sums(omega_sums, new_y, new_x, 1)
+            update_omega_sums(omega_sums, old_y, old_x, -1)
+
+    return follow
 
 
 @lru_cache
 def make_kernel(patch_width):
     """Compile the cooperative kernel for a patch width."""
-    _, update_omega_sums = make_atomic_updates(patch_width)
+    follow = make_follow(patch_width)
 
     @cuda.jit
     def commit_kernel(
-        nnf,
-        delta,
-        proposed_nnf,
-        proposed_delta,
-        omega_sums,
-        occurrence_weight,
-        stream,
-        moves,
+        nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, stream, moves
     ):
         grid = cuda.cg.this_grid()
-        order = cuda.local.array(CLASSES, np.int32)
+        order = cuda.local.array((CLASSES, 2), np.int32)
         commit_order(stream, order)
         height, width = delta.shape
         thread, threads = cuda.grid(1), cuda.gridsize(1)
         moved = 0
-        for n in range(CLASSES[0]):
+        for n in range(CLASSES):
             first_y, first_x = order[n, 0], order[n, 1]
-            columns = (width - first_x + CLASS_STRIDE - 1) // CLASS_STRIDE
-            pixels = (height - first_y + CLASS_STRIDE - 1) // CLASS_STRIDE * columns
+            columns = class_size(width, first_x)
+            pixels = class_size(height, first_y) * columns
             for k in range(thread, pixels, threads):
                 y = first_y + CLASS_STRIDE * (k // columns)
                 x = first_x + CLASS_STRIDE * (k % columns)
-                old_y, old_x = nnf[y, x, 0], nnf[y, x, 1]
-                new_y, new_x = proposed_nnf[y, x, 0], proposed_nnf[y, x, 1]
-                if old_y == new_y and old_x == new_x:
-                    continue
-                old_phi = delta[y, x] + penalization(omega_sums, occurrence_weight, old_y, old_x)
-                new_phi = proposed_delta[y, x] + penalization(
-                    omega_sums, occurrence_weight, new_y, new_x
+                moved += decide(
+                    nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, y, x
                 )
-                if new_phi < old_phi:
-                    nnf[y, x, 0], nnf[y, x, 1] = new_y, new_x
-                    proposed_nnf[y, x, 0], proposed_nnf[y, x, 1] = old_y, old_x
-                    delta[y, x] = proposed_delta[y, x]
-                    moved += 1
-                else:
-                    proposed_nnf[y, x, 0], proposed_nnf[y, x, 1] = old_y, old_x
             if occurrence_weight:
                 grid.sync()
                 for k in range(thread, pixels, threads):
                     y = first_y + CLASS_STRIDE * (k // columns)
                     x = first_x + CLASS_STRIDE * (k % columns)
-                    new_y, new_x = nnf[y, x, 0], nnf[y, x, 1]
-                    old_y, old_x = proposed_nnf[y, x, 0], proposed_nnf[y, x, 1]
-                    if old_y != new_y or old_x != new_x:
-                        update_omega_sums(omega_sums, new_y, new_x, 1)
-                        update_omega_sums(omega_sums, old_y, old_x, -1)
+                    follow(nnf, proposed_nnf, omega_sums, y, x)
                 grid.sync()
         if moved:
             cuda.atomic.add(moves, 0, moved)

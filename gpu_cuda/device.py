@@ -1,7 +1,7 @@
 """What a kernel needs of the machine: blocks, and formulae that it can call."""
 
 from contextlib import suppress
-from types import SimpleNamespace
+from types import FunctionType
 
 import numpy as np
 
@@ -47,6 +47,27 @@ def formula(function):
     return call
 
 
+def device_function(function):
+    """Compile a function that reads, writes or waits as only kernels can.
+
+    The simulator gives such a function its own ``cuda`` while it runs, and takes it away again
+    while other threads may still be inside. Here it always finds that of the kernel that runs.
+    """
+    if not SIMULATED:
+        return cuda.jit(device=True)(function)
+    names = function.__globals__ | {"cuda": _RunningKernel()}
+    return FunctionType(function.__code__, names, function.__name__, None, function.__closure__)
+
+
+class _RunningKernel:
+    """The simulator's ``cuda`` of the kernel that runs."""
+
+    def __getattr__(self, name):
+        from numba.cuda.simulator.kernel import _get_kernel_context
+
+        return getattr(_get_kernel_context(), name)
+
+
 def _undisguised(argument):
     if isinstance(argument, tuple):
         return tuple(map(_undisguised, argument))
@@ -71,22 +92,6 @@ def launch(kernel, size, *arguments, block=BLOCK):
     rows, columns = size
     grid = -(-columns // block[0]), -(-rows // block[1])
     kernel[grid, block](*arguments)
-
-
-def synchronized(passes):
-    """The same passes, each of which returns when the device is done."""
-
-    def waiting(function):
-        def call(*arguments, **options):
-            result = function(*arguments, **options)
-            cuda.synchronize()
-            return result
-
-        return call
-
-    names = passes.__all__
-    functions = {name: waiting(getattr(passes, name)) for name in names}
-    return SimpleNamespace(__all__=names, **functions)
 
 
 def launch_cooperative(kernel, *arguments):

@@ -14,7 +14,7 @@ from functools import lru_cache
 import numpy as np
 from numba import cuda
 
-from gpu_cuda.device import formula, launch
+from gpu_cuda.device import device_function, formula, launch
 from gpu_cuda.formulae import (
     patch_omega,
     penalization,
@@ -44,13 +44,13 @@ def make_kernels(constants, with_sums):
     update_patch_omega, update_omega_sums = make_atomic_updates(patch_width)
     update = update_omega_sums if with_sums else update_patch_omega
 
-    @cuda.jit(device=True)
+    @device_function
     def summed_penalization(omega, occurrence_weight, source_y, source_x):
         return occurrence_weight * np.int64(patch_omega(omega, patch_width, source_y, source_x))
 
     lambda_rho = penalization if with_sums else summed_penalization
 
-    @cuda.jit(device=True)
+    @device_function
     def improve_assignment(
         metric, patch, omega, occurrence_weight, y, x, new_y, new_x, current_y, current_x
     ):

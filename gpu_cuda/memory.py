@@ -47,6 +47,11 @@ def download(array):
     return array.copy_to_host()
 
 
+def wait():
+    """As :func:`stylit_ref.passes.wait`: kernels run on when their launch has returned."""
+    cuda.synchronize()
+
+
 def zeros(shape, dtype):
     """As :func:`stylit_ref.passes.zeros`, in the device's memory."""
     array = empty(shape, dtype)

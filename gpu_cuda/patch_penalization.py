@@ -7,6 +7,8 @@ from functools import lru_cache
 
 from numba import cuda
 
+from gpu_cuda.device import device_function
+
 
 @lru_cache
 def make_atomic_updates(patch_width):
@@ -20,13 +22,13 @@ def make_atomic_updates(patch_width):
     """
     radius, reach = patch_width // 2, patch_width - 1
 
-    @cuda.jit(device=True)
+    @device_function
     def update_patch_omega(omega, source_y, source_x, change):
         for dy in range(-radius, radius + 1):
             for dx in range(-radius, radius + 1):
                 cuda.atomic.add(omega, (source_y + dy, source_x + dx), change)
 
-    @cuda.jit(device=True)
+    @device_function
     def update_omega_sums(omega_sums, source_y, source_x, change):
         for dy in range(max(-reach, -source_y), min(reach, omega_sums.shape[0] - 1 - source_y) + 1):
             for dx in range(

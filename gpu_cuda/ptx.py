@@ -43,6 +43,12 @@ def kernels(block, patch_width=5, channels=32, style_channels=3, guide_channels=
         yield f"live random search, {name}", random_search, (*arguments, _STREAM)
     commit = _NNF, _DELTA, _NNF, _DELTA, _MAP, _INT, _STREAM, types.int64[::1]
     yield "commit", part["commit"].make_kernel(patch_width), commit
+    launched = part["launched_commit"]
+    class_start = _INT, _INT
+    decided = *commit[:-2], *class_start, types.int64[::1]
+    yield "launched commit, decide", launched.decide_kernel, decided
+    follow = launched.make_follow_kernel(patch_width)
+    yield "launched commit, follow", follow, (_NNF, _NNF, _MAP, *class_start)
     for outliers in (0, 4):
         vote = part["vote"].make_kernel(patch_width, style_channels, outliers)
         name = "vote, 4 outliers left out" if outliers else "vote"
@@ -64,8 +70,8 @@ def kernels(block, patch_width=5, channels=32, style_channels=3, guide_channels=
 
 
 _MODULES = (
-    "commit", "energy", "guide_map", "means", "memory", "occurrence", "propagation", "pyramid",
-    "random_nnf", "random_search", "similarity", "vote",
+    "commit", "energy", "guide_map", "launched_commit", "means", "memory", "occurrence",
+    "propagation", "pyramid", "random_nnf", "random_search", "similarity", "vote",
 )  # fmt: skip
 
 

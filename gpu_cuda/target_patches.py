@@ -2,7 +2,7 @@
 
 from numba import cuda, njit, uint32
 
-from gpu_cuda.device import formula
+from gpu_cuda.device import device_function, formula
 from stylit_ref.errors import InputError
 
 SHARED_BYTES = 48 << 10
@@ -35,7 +35,7 @@ def make_target_patch(constants, block, shared):
     """
     radius, border, pixel_words = constants.radius, 2 * constants.radius, constants.pixel_words
 
-    @cuda.jit(device=True)
+    @device_function
     def in_texture(target, width, y, x):
         row = (width + border) * pixel_words
         return target, y * row + x * pixel_words, pixel_words, row
@@ -70,7 +70,7 @@ def make_target_patch(constants, block, shared):
                         (y * width + x) * pixel_words + word
                     ]
 
-    @cuda.jit(device=True)
+    @device_function
     def in_tile(target, width, y, x):
         tile = cuda.shared.array(size, uint32)
         thread_y, thread_x = cuda.threadIdx.y, cuda.threadIdx.x

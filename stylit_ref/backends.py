@@ -64,4 +64,4 @@ def cuda_report():
     try:
         return import_module("gpu_cuda.doctor").report()
     except ImportError as error:
-        return [f"GPU          none: the kernels cannot be loaded: {error}"]
+        return [f"GPU           none: the kernels cannot be loaded: {error}"]

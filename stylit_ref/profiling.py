@@ -15,7 +15,7 @@ class Profile:
     Attributes
     ----------
     seconds : dict of str to float
-        By stage; the compilation of kernels is a stage of its own.
+        By stage, each waited for; the compilation of a CPU's kernels is a stage of its own.
     calls : dict of str to int
     """
 
@@ -46,7 +46,9 @@ class Profile:
         def timed(name):
             def call(*arguments, **options):
                 with self.stage(name):
-                    return getattr(passes, name)(*arguments, **options)
+                    result = getattr(passes, name)(*arguments, **options)
+                    passes.wait()
+                    return result
 
             return call
 

@@ -5,6 +5,17 @@ from copy import copy
 from numba import cuda
 
 import gpu_cuda
+from gpu_cuda.device import SIMULATED
+
+FULL_SIZES = (
+    []
+    if SIMULATED
+    else [
+        {"source_size": size, "target_size": size, "guide_channels": (3,) * 5, "smooth": True}
+        for size in ((228, 300), (912, 1200))
+    ]
+)
+"""Cases of :func:`small_level.make_level` that are too large for the simulator."""
 
 HOST_ALONE = "pair_weights", "moment_weights", "style_pair_weights"
 ARRAYS = ("nnf", "delta", "proposed_nnf", "proposed_delta", "omega", "omega_sums", "moves")

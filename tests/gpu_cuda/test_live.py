@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from device_level import on_device, to_host
+from device_level import FULL_SIZES, on_device, to_host
 from small_level import make_level
 
 import gpu_cuda
@@ -11,7 +11,13 @@ from stylit_ref.formulae.candidates import random_candidate
 from stylit_ref.formulae.improve_assignment import improve_assignment
 from stylit_ref.formulae.random_stream import RANDOM_SEARCH, random_stream, random_words
 
-CASES = [{}, {"patch_width": 3, "uniformity": 100000}, {"crowded": True, "smooth": True}]
+CASES = [
+    {},
+    {"patch_width": 3, "uniformity": 100000},
+    {"crowded": True, "smooth": True},
+    {"smooth": True, "epsilon": 520},
+    *FULL_SIZES,
+]
 
 
 @pytest.mark.parametrize("with_sums", [False, True], ids=["Ω", "W"])

@@ -5,11 +5,11 @@ from importlib import import_module
 
 import numpy as np
 import pytest
-from device_level import on_device, to_host
+from device_level import FULL_SIZES, on_device, to_host
 from small_level import make_level
 
 import gpu_cuda
-from gpu_cuda import shared_memory
+from gpu_cuda import launched_commit, shared_memory
 from gpu_cuda.metric import MetricConstants, launch_search
 from gpu_cuda.target_patches import make_target_patch
 from stylit_ref import InputError, passes
@@ -28,6 +28,7 @@ CASES = [
     {"patch_width": 7, "guide_channels": (1, 4), "guide_weights": (2.0, 0.5), "style_channels": 4},
     {"masked": np.eye(14, 12, dtype=bool), "smooth": True, "crowded": True},
     {"smooth": True, "uniformity": 200, "epsilon": 520},
+    *FULL_SIZES,
 ]
 STREAM = random_stream(7, RANDOM_SEARCH, 1, 2, 3)
 
@@ -63,7 +64,7 @@ def test_names_mirror_the_passes():
 def test_signatures_mirror_the_passes(name):
     function = getattr(passes, name)
     mirrored = inspect.signature(getattr(function, "py_func", function))
-    for module in (gpu_cuda, shared_memory):
+    for module in (gpu_cuda, shared_memory, launched_commit):
         assert str(inspect.signature(getattr(module, name))) == str(mirrored)
 
 
@@ -108,11 +109,12 @@ def test_shared_memory_changes_nothing(case, name, parameters, block):
 
 
 @pytest.mark.parametrize("case", CASES, ids=str)
-def test_commit(case):
+@pytest.mark.parametrize("module", [gpu_cuda, launched_commit], ids=["one launch", "many"])
+def test_commit(case, module):
     level, device = levels(**case)
     stream = random_stream(7, COMMIT_ORDER, 1, 2, 3)
-    for either, module in ((level, passes), (device, gpu_cuda)):
-        module.random_search(*search(either), STREAM)
+    for either, proposing in ((level, passes), (device, gpu_cuda)):
+        proposing.random_search(*search(either), STREAM)
     arguments = (
         (
             either.nnf, either.delta, either.proposed_nnf, either.proposed_delta,
@@ -122,7 +124,7 @@ def test_commit(case):
         for either in (level, device)
     )  # fmt: skip
     passes.commit(*next(arguments))
-    gpu_cuda.commit(*next(arguments))
+    module.commit(*next(arguments))
     assert level.moves[0] > 0
     for name in ("nnf", "delta", "omega_sums", "moves"):
         assert_same(getattr(device, name), getattr(level, name))
