@@ -6,6 +6,7 @@ import numpy as np
 from numba import cuda
 
 from gpu_cuda.device import launch
+from gpu_cuda.formulae import rounded_mean
 
 
 @lru_cache
@@ -67,8 +68,7 @@ def make_kernel(patch_width, style_channels, outliers):
                             totals[c] -= source[source_y, source_x, style_channel + c]
                     vote += 1
         for c in range(style_channels):
-            mean = (2 * totals[c] + kept) // (2 * kept) if kept else 0
-            target[radius + y, radius + x, style_channel + c] = mean
+            target[radius + y, radius + x, style_channel + c] = rounded_mean(totals[c], kept)
 
     return vote_kernel
 

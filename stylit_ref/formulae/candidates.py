@@ -1,4 +1,4 @@
-"""Where PatchMatch looks: candidates of propagation and of random search."""
+"""Where PatchMatch looks: candidates of propagation, of random search, and of the level before."""
 
 import numpy as np
 from numba import njit
@@ -22,6 +22,22 @@ def propagation_candidate(neighbour_y, neighbour_x, dy, dx, radius, source_heigh
     y = clamp(neighbour_y - dy, radius, source_height - 1 - radius)
     x = clamp(neighbour_x - dx, radius, source_width - 1 - radius)
     return y, x
+
+
+@njit
+def upsampled_assignment(coarse_nnf, y, x, radius, source_height, source_width):
+    """Assignment that a target pixel takes from the next coarser level (UpsampleNNF, thesis 2.3).
+
+    Twice its parent's coordinates plus its own offset from twice the parent, clamped to the
+    centres the source has.
+    """
+    parent_y, parent_x = min(y // 2, coarse_nnf.shape[0] - 1), min(x // 2, coarse_nnf.shape[1] - 1)
+    fine_y = 2 * coarse_nnf[parent_y, parent_x, 0] + (y - 2 * parent_y)
+    fine_x = 2 * coarse_nnf[parent_y, parent_x, 1] + (x - 2 * parent_x)
+    return (
+        clamp(fine_y, radius, source_height - 1 - radius),
+        clamp(fine_x, radius, source_width - 1 - radius),
+    )
 
 
 @njit

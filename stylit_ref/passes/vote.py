@@ -5,6 +5,7 @@ from functools import lru_cache
 import numpy as np
 from numba import prange
 
+from stylit_ref.formulae.means import rounded_mean
 from stylit_ref.kernel import kernel
 
 
@@ -39,7 +40,7 @@ def _make_kernel(patch_width, style_channels):
                         votes += 1
                 totals = (total_0, total_1, total_2, total_3)
                 for c in range(style_channels):
-                    mean = (2 * totals[c] + votes) // (2 * votes) if votes else 0
+                    mean = rounded_mean(totals[c], votes)
                     target[radius + y, radius + x, style_channel + c] = mean
 
     return vote_kernel
@@ -86,7 +87,7 @@ def _make_robust_kernel(patch_width, style_channels):
                     for n in range(votes):
                         if distances[n] >= 0:
                             total += values[n, c]
-                    mean = (2 * total + kept) // (2 * kept) if kept else 0
+                    mean = rounded_mean(total, kept)
                     target[radius + y, radius + x, style_channel + c] = mean
 
     return robust_vote_kernel

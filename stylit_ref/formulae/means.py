@@ -1,0 +1,26 @@
+"""Means of 8-bit values, rounded half up: of votes, and of the pixels that a coarser one covers."""
+
+import numpy as np
+from numba import njit
+
+
+@njit
+def rounded_mean(total, count):
+    """``total / count`` rounded half up; 0 of nothing."""
+    return (2 * total + count) // (2 * count) if count else 0
+
+
+@njit
+def block_mean(image, y, x, channel):
+    """A pixel of the next coarser level: the mean of 2 x 2, rounded half up (thesis 3.4).
+
+    The thesis samples with bilinear interpolation and gives no source code; at a factor of two
+    that is this mean.
+    """
+    total = (
+        np.int32(image[2 * y, 2 * x, channel])
+        + np.int32(image[2 * y, 2 * x + 1, channel])
+        + np.int32(image[2 * y + 1, 2 * x, channel])
+        + np.int32(image[2 * y + 1, 2 * x + 1, channel])
+    )
+    return (total + 2) // 4
