@@ -21,16 +21,23 @@ import gpu_cuda
 from eval.circumstances import circumstances
 from eval.synthesis import synthesis
 from gpu_cuda import doctor, launched_commit, shared_memory
+from gpu_cuda.device import kernel_times
 from gpu_cuda.metric import launch_search
 from gpu_cuda.propagation import make_kernel as make_propagation_kernel
 from gpu_cuda.random_search import make_kernel as make_random_search_kernel
-from stylit_ref import InputError, Params, Profile, passes
+from stylit_ref import InputError, Params, passes
 
 UNIFORMITIES = (0, 5000, 10000)
 RUNS = 3
-SEARCH = "propagation", "random_search", "commit", "live_propagation", "live_random_search"
-"""The stages of GPU_PatchMatch. A live schedule's runs also count Ω anew and evaluate δ after every
-iteration, for the history; the thesis' do not."""
+SEARCH = (
+    "propagation_kernel",
+    "random_search_kernel",
+    "commit_kernel",
+    "decide_kernel",
+    "follow_kernel",
+)
+"""The kernels of GPU_PatchMatch. A live schedule's runs also count Ω anew and evaluate δ after
+every iteration, for the history; the thesis' do not."""
 
 
 def in_blocks(block, shared):
@@ -83,7 +90,7 @@ SETTINGS = (
 """Params and module of passes of every whole run; without λ in the name it is the default."""
 
 
-def record(style, source_guides, target_guides, settings=SETTINGS):
+def record(style, source_guides, target_guides, settings):
     """Compare with the CPU and time every setting and every kernel.
 
     Parameters
@@ -93,11 +100,11 @@ def record(style, source_guides, target_guides, settings=SETTINGS):
     settings : dict
         As :data:`SETTINGS`.
 
-    Returns
-    -------
+    Yields
+    ------
     dict
-        ``seconds`` of whole runs from host to host, ``search [s]`` and ``kernels [s]`` of runs
-        that wait after every pass.
+        The record as it stands after each setting. ``seconds`` are of whole runs from host to
+        host, ``kernels [s]`` the device's own, ``search [s]`` the sum over GPU_PatchMatch's.
     """
     scene = style, source_guides, target_guides
     height, width = target_guides[0].shape[:2]
@@ -124,69 +131,74 @@ def record(style, source_guides, target_guides, settings=SETTINGS):
                 and (image == on_cpu[same].style).all()
                 and (module.download(level.omega) == on_cpu[same].omega).all()
             )
-        profile = Profile()
-        synthesis(*scene, params, profile.passes(module))
+        with kernel_times() as times:
+            synthesis(*scene, params, module)
         found["kernels [s]"][name] = {
-            stage: {"seconds": seconds, "calls": profile.calls[stage]}
-            for stage, seconds in profile.seconds.items()
-            if profile.calls[stage]
+            kernel: {"seconds": sum(seconds), "launches": len(seconds)}
+            for kernel, seconds in times.items()
         }
-        found["search [s]"][name] = sum(profile.seconds.get(stage, 0.0) for stage in SEARCH)
-    return found
+        found["search [s]"][name] = sum(sum(times[kernel]) for kernel in SEARCH if kernel in times)
+        yield found
 
 
-def read_scene(name, data):
-    """Style, source guides and target guides of a packed file or of a scene."""
+def read_scene(name):
+    """Name, style, source guides and target guides of a packed file or of a scene.
+
+    ``DATA:TARGET/STYLE`` is a scene of another data set than the bundled one.
+    """
     if Path(name).suffix == ".npz":
         with np.load(name) as file:
             count = sum(key.startswith("source_") for key in file)
             guides = ([file[f"{side}_{k}"] for k in range(count)] for side in ("source", "target"))
-            return file["style"], *guides
+            return str(file["scene"]), file["style"], *guides
     from eval.scenes import BUNDLED, load_scene  # needs OpenImageIO
 
+    data, _, name = name.rpartition(":")
     scene = load_scene(name, data or BUNDLED)
-    return scene.style, scene.source_guides, scene.target_guides
+    return name, scene.style, scene.source_guides, scene.target_guides
 
 
-def main(arguments=None):
+def main(arguments=None, settings=SETTINGS):
     """Write the record, or pack a scene; returns the exit code."""
     parser = argparse.ArgumentParser(prog="python -m eval.gpu_record", description=__doc__)
-    parser.add_argument("scenes", nargs="*", default=["golem/crayon"], metavar="SCENE")
-    parser.add_argument("--data", help="folder of a data set (default: bundled)")
+    parser.add_argument(
+        "scenes", nargs="*", default=["golem/oil"], metavar="SCENE",
+        help="TARGET/STYLE (default golem/oil), FOLDER:TARGET/STYLE of another data set, or a "
+        "packed file",
+    )  # fmt: skip
     parser.add_argument("--pack", type=Path, metavar="FILE.npz", help="write the first scene there")
     options = parser.parse_args(arguments)
     try:
-        scenes = [read_scene(name, options.data) for name in options.scenes]
-        if options.pack:
-            style, *sides = scenes[0]
-            guides = {
-                f"{side}_{k}": guide
-                for side, images in zip(("source", "target"), sides, strict=True)
-                for k, guide in enumerate(images)
-            }
-            np.savez_compressed(options.pack, style=style, **guides)
-            return 0
-        missing = doctor.missing()
-        if missing:
-            print(f"skipped: {missing}")
-            return 0
-        result = {
-            "circumstances": circumstances(),
-            "device": doctor.report(),
-            "scenes": {
-                name: record(*scene) for name, scene in zip(options.scenes, scenes, strict=True)
-            },
-        }
+        scenes = [read_scene(name) for name in options.scenes]
     except InputError as error:
         print(f"eval.gpu_record: {error}", file=sys.stderr)
         return 2
+    if options.pack:
+        name, style, *sides = scenes[0]
+        guides = {
+            f"{side}_{k}": guide
+            for side, images in zip(("source", "target"), sides, strict=True)
+            for k, guide in enumerate(images)
+        }
+        np.savez_compressed(options.pack, scene=name, style=style, **guides)
+        return 0
+    missing = doctor.missing()
+    if missing:
+        print(f"skipped: {missing}")
+        return 0
     device = re.sub(r"\W+", "_", doctor.device_name()).strip("_")
-    folder = Path("reports/gpu")
-    folder.mkdir(parents=True, exist_ok=True)
-    text = json.dumps(result, indent=1, ensure_ascii=False)
-    (folder / f"{device}.json").write_text(text + "\n", encoding="utf-8")
+    file = Path("reports/gpu") / f"{device}.json"
+    file.parent.mkdir(parents=True, exist_ok=True)
+    result = {"circumstances": circumstances(), "device": doctor.report(), "scenes": []}
+    for name, *images in scenes:
+        result["scenes"].append({})
+        for found in record(*images, settings):
+            result["scenes"][-1] = {"scene": name} | found
+            text = json.dumps(result, indent=1, ensure_ascii=False)
+            file.write_text(text + "\n", encoding="utf-8")
     print(text)
-    return 0
+    same = [same for scene in result["scenes"] for same in scene["identical to the CPU"].values()]
+    return 0 if all(same) else 1
 
 
 if __name__ == "__main__":

@@ -82,7 +82,8 @@ def main():
             table(frame),
             "A multiprocessor has 65536 registers, so the 1024 threads of the thesis' blocks of "
             "32x32 get 64 each, and kernels that want more spill; blocks of 32x8, the default, "
-            "leave 255.",
+            "leave 255. On a device Numba optimizes once more when it links, and may need fewer "
+            "registers than these.",
         ],
     )
     for what in spilled:

@@ -5,6 +5,7 @@ A kernel handles one target patch, or one pixel, a thread; what it computes is c
 simulator.
 """
 
+import gpu_cuda.redirection  # noqa: F401
 from gpu_cuda.commit import commit
 from gpu_cuda.energy import energy
 from gpu_cuda.guide_map import guide_map

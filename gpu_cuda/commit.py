@@ -104,7 +104,8 @@ def commit(
     moves,
 ):  # fmt: skip
     """As :func:`stylit_ref.passes.commit`, on device arrays."""
+    rows, columns = (-(-side // CLASS_STRIDE) for side in delta.shape)
     launch_cooperative(
-        make_kernel(patch_width),
+        make_kernel(patch_width), rows * columns,
         nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, stream, moves,
     )  # fmt: skip

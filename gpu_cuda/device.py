@@ -1,12 +1,11 @@
 """What a kernel needs of the machine: blocks, and formulae that it can call."""
 
-from contextlib import suppress
+from collections import defaultdict
+from contextlib import contextmanager
+from functools import lru_cache
 from types import FunctionType
 
 import numpy as np
-
-with suppress(ImportError):  # numba-cuda's, where its .pth file went unread (pip --target)
-    import _numba_cuda_redirector  # noqa: F401
 from numba import config, cuda
 
 config.CUDA_LOW_OCCUPANCY_WARNINGS = 0  # coarse levels are small, and that is no news
@@ -91,15 +90,73 @@ def launch(kernel, size, *arguments, block=BLOCK):
     """
     rows, columns = size
     grid = -(-columns // block[0]), -(-rows // block[1])
-    kernel[grid, block](*arguments)
+    with _timed(kernel):
+        kernel[grid, block](*arguments)
 
 
-def launch_cooperative(kernel, *arguments):
-    """Run a kernel whose threads wait for each other, with as many as the device holds at once."""
+def launch_cooperative(kernel, most_threads, *arguments):
+    """Run a kernel whose threads wait for each other.
+
+    Parameters
+    ----------
+    kernel : callable
+        Compiled with ``cuda.jit``; for as many threads as there are.
+    most_threads : int
+        As many as have something to do; fewer run where the device does not hold them at once.
+    *arguments
+        Of the kernel.
+    """
     threads = BLOCK[0] * BLOCK[1]
     if SIMULATED:
-        kernel[1, threads](*arguments)
+        with _timed(kernel):
+            kernel[1, threads](*arguments)
         return
-    special = kernel.specialize(*arguments)
-    (overload,) = special.overloads.values()
-    special[overload.max_cooperative_grid_blocks(threads), threads](*arguments)
+    specialized = kernel.specialize(*arguments)
+    blocks = min(-(-most_threads // threads), _blocks_at_once(specialized, threads))
+    with _timed(kernel):
+        specialized[blocks, threads](*arguments)
+
+
+@lru_cache
+def _blocks_at_once(specialized, threads):
+    (overload,) = specialized.overloads.values()
+    return overload.max_cooperative_grid_blocks(threads)
+
+
+_events = None
+
+
+@contextmanager
+def kernel_times():
+    """Measure what the device spends in every kernel that is launched inside.
+
+    Yields
+    ------
+    dict of str to list of float
+        Seconds of every launch, by the kernel's function; filled when the context ends. In the
+        simulator they are 0.
+    """
+    global _events
+    seconds = defaultdict(list)
+    _events = []
+    try:
+        yield seconds
+        cuda.synchronize()
+        for name, start, end in _events:
+            seconds[name].append(start.elapsed_time(end) / 1000 if not SIMULATED else 0.0)
+    finally:
+        _events = None
+
+
+@contextmanager
+def _timed(kernel):
+    """Between two events, where someone wants to know: nothing waits."""
+    if _events is None:
+        yield
+        return
+    start, end = (cuda.event() for _ in range(2))
+    start.record()
+    yield
+    end.record()
+    function = kernel.fn if SIMULATED else kernel.py_func
+    _events.append((function.__name__, start, end))

@@ -32,6 +32,8 @@ def missing():
             )
         cuda.current_context()
         device = cuda.get_current_device()
+        cuda.cudadrv.nvvm.NVVM()
+        cuda.cudadrv.libs.get_cudalib("cudadevrt", static=True)
     except Exception as error:  # what a driver, or a library it needs, may raise is anything
         said = " ".join(str(error).split()).rstrip(" :.")
         return f"there is no GPU that CUDA can use: {said[:200]} ({INSTALL})"

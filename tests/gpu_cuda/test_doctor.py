@@ -7,14 +7,22 @@ import pytest
 from gpu_cuda import doctor
 
 
-def machine(driver=(13, 0), capability=(9, 0), context=lambda: None):
+def machine(driver=(13, 0), capability=(9, 0), context=lambda: None, nvvm=lambda: None):
     """As much of ``numba.cuda`` as the doctor looks at."""
     version = SimpleNamespace(get_version=lambda: driver)
     return SimpleNamespace(
-        cudadrv=SimpleNamespace(driver=SimpleNamespace(driver=version)),
+        cudadrv=SimpleNamespace(
+            driver=SimpleNamespace(driver=version),
+            nvvm=SimpleNamespace(NVVM=nvvm),
+            libs=SimpleNamespace(get_cudalib=lambda name, static: name),
+        ),
         current_context=context,
         get_current_device=lambda: SimpleNamespace(compute_capability=capability, name=b"GTX 660"),
     )
+
+
+def no_compiler():
+    raise OSError("libNVVM cannot be found.")
 
 
 def no_driver():
@@ -27,6 +35,7 @@ def no_driver():
         (machine(), None),
         (machine(driver=(12, 8)), "the NVIDIA driver is of CUDA 12.8 and 13.0 is needed"),
         (machine(capability=(3, 0)), "GTX 660 has compute capability 3.0 and 7.5 is needed"),
+        (machine(nvvm=no_compiler), "libNVVM cannot be found (pip install"),
         (machine(context=no_driver), "init: no CUDA-capable device is detected (pip install"),
     ],
 )

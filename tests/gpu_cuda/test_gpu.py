@@ -3,6 +3,7 @@
 import shutil
 import subprocess
 import sys
+from functools import lru_cache
 from importlib import import_module
 from pathlib import Path
 
@@ -22,12 +23,21 @@ pytestmark = pytest.mark.skipif(SIMULATED, reason="needs a GPU: make test-gpu")
 STREAM = random_stream(7, RANDOM_SEARCH, 1, 2, 3)
 
 
+def full_scene(size):
+    return small_scene(source_size=size, target_size=size, guide_channels=(3,) * 5)
+
+
+@lru_cache
+def on_cpu(size, method):
+    return stylize(*full_scene(size), Params(method))
+
+
 @pytest.mark.parametrize("method", ["ref", "shared_memory", "guide_map"])
 @pytest.mark.parametrize("size", [(228, 300), (912, 1200)])
 def test_whole_runs_give_the_bytes_of_the_cpu(size, method):
-    scene = small_scene(source_size=size, target_size=size, guide_channels=(3,) * 5)
+    scene = full_scene(size)
     device = stylize(*scene, Params(method), backend="cuda")
-    host = stylize(*scene, Params("ref" if method == "shared_memory" else method))
+    host = on_cpu(size, "ref" if method == "shared_memory" else method)
     for name in ("image", "nnf", "omega", "error"):
         np.testing.assert_array_equal(getattr(device, name), getattr(host, name), err_msg=name)
     assert device.history == host.history
@@ -50,11 +60,16 @@ def test_blocks_of_the_thesis(name, parameters, shared):
             either.nnf, either.delta, either.proposed_nnf, either.proposed_delta, *parameters,
         )  # fmt: skip
     np.testing.assert_array_equal(to_host(device.proposed_nnf), level.proposed_nnf)
+    np.testing.assert_array_equal(to_host(device.proposed_delta), level.proposed_delta)
 
 
 def test_no_kernel_reads_or_writes_where_it_must_not():
     if not shutil.which("compute-sanitizer"):
         pytest.skip("compute-sanitizer is not installed")
     tests = Path(__file__).with_name("test_passes.py")
-    command = ["compute-sanitizer", "--error-exitcode", "3", sys.executable, "-m", "pytest", tests]
-    assert subprocess.run(command, check=False).returncode == 0
+    small = [sys.executable, "-m", "pytest", tests, "-k", "not source_size"]
+    command = ["compute-sanitizer", "--report-api-errors", "no", "--error-exitcode", "3", *small]
+    found = subprocess.run(command, check=False, capture_output=True, text=True)
+    if "Device not supported" in found.stdout:
+        pytest.skip("compute-sanitizer does not support this device")
+    assert found.returncode == 0, found.stdout[-2000:]

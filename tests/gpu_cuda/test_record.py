@@ -19,25 +19,26 @@ def test_a_record_compares_and_times(tmp_path, monkeypatch):
     style, sources, targets = small_scene(source_size=(6, 7), target_size=(5, 6))
     guides = {f"source_{k}": guide for k, guide in enumerate(sources)}
     guides |= {f"target_{k}": guide for k, guide in enumerate(targets)}
-    np.savez(tmp_path / "scene.npz", style=style, **guides)
+    np.savez(tmp_path / "scene.npz", scene="small/scene", style=style, **guides)
     settings = {
         "canonical": (Params(**QUICK), gpu_cuda),
         "live": (Params(schedule="live", **QUICK), gpu_cuda),
     }
-    monkeypatch.setattr(gpu_record.record, "__defaults__", (settings,))
     monkeypatch.setattr(gpu_record, "RUNS", 1)
     monkeypatch.chdir(tmp_path)
-    assert gpu_record.main(["scene.npz"]) == 0
+    assert gpu_record.main(["scene.npz"], settings) == 0
     (written,) = (tmp_path / "reports" / "gpu").iterdir()
-    (found,) = json.loads(written.read_text(encoding="utf-8"))["scenes"].values()
+    (found,) = json.loads(written.read_text(encoding="utf-8"))["scenes"]
+    assert found["scene"] == "small/scene"
     assert found["identical to the CPU"] == {"canonical": True}
     assert all(seconds > 0 for seconds in found["seconds"].values())
-    assert found["kernels [s]"]["canonical"]["commit"]["calls"] == 4
-    assert found["kernels [s]"]["live"]["live_propagation"]["calls"] == 3
+    assert found["kernels [s]"]["canonical"]["commit_kernel"]["launches"] == 4
+    assert found["kernels [s]"]["live"]["propagation_kernel"]["launches"] == 3
 
 
 def test_a_scene_is_packed_for_a_machine_that_reads_no_images(tmp_path):
     assert gpu_record.main(["golem/pen", "--pack", str(tmp_path / "golem.npz")]) == 0
-    style, sources, targets = gpu_record.read_scene(tmp_path / "golem.npz", None)
+    name, style, sources, targets = gpu_record.read_scene(tmp_path / "golem.npz")
+    assert name == "golem/pen"
     assert style.shape == (228, 300, 3)
     assert len(sources) == len(targets) == 5
