@@ -1,4 +1,4 @@
-# make eval   install and write a report on a scene: SCENE=TARGET/STYLE or a folder, DATA=folder
+# make eval   install and regenerate the thesis' tables and figures: PRESET=quick or thesis
 # make test   install and run the tests
 # make help   the other targets
 
@@ -8,12 +8,13 @@ BIN := $(VENV)/bin
 SCENE ?= golem/crayon
 DATA ?= data_gen/bundled
 SIZE ?= 1200x912
+PRESET ?= quick
 ARGS ?=
 
 .PHONY: eval schedules epsilon stylit spilling bench scenes test test-gpu ptx lint data help clean
 
-eval: $(VENV)/eval.installed ## λ report of a scene
-	$(BIN)/python -m eval lambda --scene "$(SCENE)" --data "$(DATA)" $(ARGS)
+eval: $(VENV)/$(if $(SCHEDULER),cluster,eval).installed ## tables and figures of the thesis: PRESET, SCHEDULER, ARGS="--scene DIR"
+	$(BIN)/python -m eval thesis --preset "$(PRESET)" $(if $(SCHEDULER),--scheduler "$(SCHEDULER)") $(ARGS)
 
 schedules: $(VENV)/eval.installed ## propose_commit against scanline at every λ (slow)
 	$(BIN)/python -m eval schedules --scene "$(SCENE)" --data "$(DATA)" $(ARGS)

@@ -3,6 +3,8 @@
 import platform
 import subprocess
 from datetime import date
+from functools import cache
+from importlib import import_module
 from pathlib import Path
 
 import numba
@@ -13,7 +15,7 @@ from stylit_ref import __version__
 def circumstances():
     """One line that says which machine and which commit made a report."""
     return (
-        f"stylit-ref {__version__}, commit {_COMMIT}; {_processor()}, "
+        f"stylit-ref {__version__}, commit {_COMMIT}; {processor()}, "
         f"{numba.config.NUMBA_NUM_THREADS} threads; Python {platform.python_version()}, "
         f"numba {numba.__version__}; {date.today().isoformat()}"
     )
@@ -40,7 +42,14 @@ def _git(*arguments):
 _COMMIT = _commit()
 
 
-def _processor():
+@cache
+def device(backend):
+    """Name of the processor or the GPU that a backend runs on."""
+    return import_module("gpu_cuda.doctor").device_name() if backend == "cuda" else processor()
+
+
+def processor():
+    """Name of the machine's processor."""
     try:
         for line in Path("/proc/cpuinfo").read_text().splitlines():
             if line.startswith("model name"):

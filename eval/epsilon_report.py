@@ -13,7 +13,7 @@ from eval.image_energy import image_energy
 from eval.report import table, write_report
 from eval.runs import compile_kernels, run
 from eval.similarity import psnr, ssim
-from eval.spilling_report import spilling
+from eval.spilling import spilling
 from eval.synthesis import synthesis
 from eval.unbounded_search import UNBOUNDED
 from stylit_ref import Params, passes

@@ -9,16 +9,46 @@ from eval.circumstances import circumstances
 REPORTS = Path("reports")
 
 _PAGE = """<!doctype html>
+<html lang="en">
 <meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
 <title>{title}</title>
 <style>
 body {{ font: 16px/1.5 sans-serif; max-width: 75rem; margin: 2rem auto; padding: 0 1rem }}
-img {{ max-width: 100% }}
-table {{ border-collapse: collapse }}
-th, td {{ border-bottom: 1px solid #ccc; padding: .2rem .8rem; text-align: right }}
+img {{ max-width: 100%; cursor: zoom-in }}
+img.large {{ max-width: none; cursor: zoom-out }}
+p:has(img), div.table {{ overflow-x: auto }}
+table {{ border-collapse: collapse; font-size: .85em }}
+th, td {{ border-bottom: 1px solid #ccc; padding: .2rem .6rem; text-align: right }}
+th:first-child, td:first-child {{ text-align: left }}
 </style>
 {body}
+<script>
+document.addEventListener("click", event => {{
+  if (event.target.tagName === "IMG") event.target.classList.toggle("large");
+}});
+</script>
+</html>
 """
+
+
+def html_page(title, text):
+    """A page for the browser, readable on a phone; images enlarge when they are clicked.
+
+    Parameters
+    ----------
+    title, text : str
+        The text in Markdown.
+
+    Returns
+    -------
+    str
+    """
+    body = MarkdownIt("commonmark").enable("table").render(text)
+    body = body.replace("<table>", '<div class="table"><table>').replace(
+        "</table>", "</table></div>"
+    )
+    return _PAGE.format(title=title, body=body)
 
 
 def write_report(folder, title, sections):
@@ -33,9 +63,7 @@ def write_report(folder, title, sections):
     """
     text = "\n\n".join([f"# {title}", circumstances(), *sections]) + "\n"
     (folder / "report.md").write_text(text, encoding="utf-8")
-    body = MarkdownIt("commonmark").enable("table").render(text)
-    page = _PAGE.format(title=title, body=body)
-    (folder / "report.html").write_text(page, encoding="utf-8")
+    (folder / "report.html").write_text(html_page(title, text), encoding="utf-8")
 
 
 def table(frame):

@@ -1,19 +1,75 @@
 """Runs and their stored results: what is computed once is not computed again."""
 
 import hashlib
+import io
 import json
 import time
-from dataclasses import asdict, dataclass
+import zipfile
+from dataclasses import asdict, dataclass, replace
+from functools import cached_property
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
 
+from eval.circumstances import circumstances, device
+from eval.image_analogies import ImageAnalogies, image_analogies
 from eval.scenes import Scene
-from stylit_ref import Params, stylize
+from stylit_ref import Params, Profile, stylize
 from stylit_ref.kernel import LIBRARY_DIGEST
 
 STORE = Path("build/runs")
+
+
+@dataclass(frozen=True)
+class Job:
+    """What a run's result depends on.
+
+    Attributes
+    ----------
+    scene : Scene
+    params : Params or ImageAnalogies
+    seed : int
+    backend : {"cpu", "cuda"}
+    device : str
+        Where it runs: times are of one device.
+    """
+
+    scene: Scene
+    params: Params | ImageAnalogies
+    seed: int = 0
+    backend: str = "cpu"
+    device: str = device("cpu")
+
+    @cached_property
+    def key(self):
+        """Name of the result."""
+        identity = [
+            self.scene.digest, type(self.params).__name__, asdict(self.params), self.seed,
+            self.backend, self.device, self._code,
+        ]  # fmt: skip
+        return hashlib.sha256(json.dumps(identity).encode()).hexdigest()[:24]
+
+    @property
+    def _code(self):
+        if isinstance(self.params, ImageAnalogies):
+            return self.params.code
+        return LIBRARY_DIGEST
+
+    @property
+    def file(self):
+        """Where the result is stored."""
+        return STORE / f"{self.key}.npz"
+
+    @property
+    def title(self):
+        """For progress and errors."""
+        params = self.params
+        if isinstance(params, ImageAnalogies):
+            return f"{self.scene.name}, image analogies"
+        setting = {"guide_map": f", ε = {params.epsilon:g}", "stylit": ""}
+        setting = setting.get(params.method, f", λ = {params.uniformity:g}")
+        return f"{self.scene.name}, {params.method}{setting}, seed {self.seed}"
 
 
 @dataclass(frozen=True)
@@ -25,8 +81,14 @@ class Run:
     image, nnf, omega : array
     seconds : float
         Wall time of ``stylize`` with the kernels compiled before.
+    stages : dict of str to float
+        Seconds by stage of the same.
+    made : str
+        Machine, versions and commit.
     guide_map : (H_B, W_B) bool
         Of the finest level; all black for methods without.
+    levels : tuple of (H, W, n) uint8
+        B' of every pyramid level, the coarsest first.
     history : pandas.DataFrame
         A row for each :class:`stylit_ref.Step`.
     """
@@ -35,7 +97,10 @@ class Run:
     nnf: np.ndarray
     omega: np.ndarray
     seconds: float
+    stages: dict[str, float]
+    made: str
     guide_map: np.ndarray
+    levels: tuple[np.ndarray, ...]
     history: pd.DataFrame
 
     @property
@@ -49,8 +114,8 @@ class Run:
         return float(self.history["penalization"].iloc[-1])
 
 
-def run(scene: Scene, params: Params, seed: int, progress=None) -> Run:
-    """Stylize a scene, or read the result of having done so.
+def run(scene, params, seed, progress=None) -> Run:
+    """Stylize a scene on the CPU, or read the result of having done so.
 
     Parameters
     ----------
@@ -64,50 +129,114 @@ def run(scene: Scene, params: Params, seed: int, progress=None) -> Run:
     -------
     Run
     """
-    key = json.dumps([scene.digest, asdict(params), seed, LIBRARY_DIGEST])
-    file = STORE / f"{hashlib.sha256(key.encode()).hexdigest()[:24]}.npz"
-    if not file.exists():
-        compile_kernels(scene, params)
-        start = time.perf_counter()
-        result = stylize(
-            scene.style,
-            scene.source_guides,
-            scene.target_guides,
-            params,
-            seed=seed,
-            progress=progress,
-        )
-        seconds = time.perf_counter() - start
-        black = np.zeros(result.nnf.shape[:2], bool)
-        STORE.mkdir(parents=True, exist_ok=True)
-        partial = file.with_suffix(".partial.npz")
-        np.savez_compressed(
-            partial,
-            image=result.image,
-            nnf=result.nnf,
-            omega=result.omega,
-            seconds=seconds,
-            guide_map=result.guide_maps[-1] if result.guide_maps else black,
-            history=json.dumps([asdict(step) for step in result.history]),
-        )
-        partial.rename(file)
-    with np.load(file) as stored:
-        return Run(
-            stored["image"],
-            stored["nnf"],
-            stored["omega"],
-            float(stored["seconds"]),
-            stored["guide_map"],
-            pd.DataFrame(json.loads(str(stored["history"]))),
-        )
+    job = Job(scene, params, seed)
+    result = stored(job)
+    if result is None:
+        store(job, compute(job, progress))
+        result = stored(job)
+    return result
 
 
-def compile_kernels(scene, params):
+def compute(job, progress=None):
+    """Run a job.
+
+    Parameters
+    ----------
+    job : Job
+    progress : callable, optional
+        As for :func:`stylit_ref.stylize`.
+
+    Returns
+    -------
+    bytes
+        What :func:`store` keeps.
+    """
+    scene, params = job.scene, job.params
+    if isinstance(params, ImageAnalogies):
+        made = image_analogies(scene.style, scene.source_guides, scene.target_guides, params)
+    else:
+        made = _stylize(job, progress)
+    arrays, facts = made
+    file = io.BytesIO()
+    facts |= {"made": circumstances()}
+    np.savez_compressed(file, facts=json.dumps(facts), **arrays)
+    return file.getvalue()
+
+
+def _stylize(job, progress):
+    scene, params = job.scene, job.params
+    compile_kernels(scene, params, job.backend)
+    levels, profile = {}, Profile()
+    start = time.perf_counter()
+    result = stylize(
+        scene.style,
+        scene.source_guides,
+        scene.target_guides,
+        params,
+        seed=job.seed,
+        backend=job.backend,
+        progress=progress,
+        on_level=lambda number, image: levels.update({f"level_{number}": image}),
+        profile=profile,
+    )
+    seconds = time.perf_counter() - start
+    black = np.zeros(result.nnf.shape[:2], bool)
+    arrays = {
+        "image": result.image,
+        "nnf": result.nnf,
+        "omega": result.omega,
+        "guide_map": result.guide_maps[-1] if result.guide_maps else black,
+    }
+    history = [asdict(step) for step in result.history]
+    return arrays | levels, {"seconds": seconds, "stages": profile.seconds, "history": history}
+
+
+def store(job, result):
+    """Keep a result, whole or not at all."""
+    STORE.mkdir(parents=True, exist_ok=True)
+    partial = job.file.with_suffix(".partial")
+    partial.write_bytes(result)
+    partial.rename(job.file)
+
+
+def stored(job):
+    """The :class:`Run` of a job, or None if there is none that can be read."""
+    return read(job.file)
+
+
+def read(file):
+    """The :class:`Run` in a file, or None if there is none that can be read.
+
+    Parameters
+    ----------
+    file : Path or file object
+    """
+    try:
+        with np.load(file) as file:
+            facts = json.loads(str(file["facts"]))
+            count = sum(name.startswith("level_") for name in file.files)
+            return Run(
+                image=file["image"],
+                nnf=file["nnf"],
+                omega=file["omega"],
+                seconds=facts["seconds"],
+                stages=facts["stages"],
+                made=facts["made"],
+                guide_map=file["guide_map"],
+                levels=tuple(file[f"level_{number}"] for number in range(1, count + 1)),
+                history=pd.DataFrame(facts["history"]),
+            )
+    except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile):
+        return None
+
+
+def compile_kernels(scene, params, backend="cpu"):
     """Run the same kernels on a corner of the scene, so that timings hold no compilation."""
     corner = np.s_[: 4 * params.patch_width, : 4 * params.patch_width]
     stylize(
         scene.style[corner],
         [guide[corner] for guide in scene.source_guides],
         [guide[corner] for guide in scene.target_guides],
-        Params(**(asdict(params) | {"levels": 2, "votes": 1, "patchmatch_iterations": 1})),
+        replace(params, levels=2, votes=1, patchmatch_iterations=1, uniformity=1e4),
+        backend=backend,
     )

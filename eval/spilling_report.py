@@ -10,24 +10,8 @@ from eval.figures import comparison, detailed_window
 from eval.report import table, write_report
 from eval.runs import run
 from eval.scenes import load_scene
+from eval.spilling import spilling
 from stylit_ref import InputError, Params
-
-
-def spilling(nnf, ids):
-    """Target patches whose source patch is centred on another object than they are.
-
-    Parameters
-    ----------
-    nnf : (H_B, W_B, 2) int32
-    ids : tuple of (H_A, W_A, n) and (H_B, W_B, n) uint8
-        Of source and target, a colour for each object.
-
-    Returns
-    -------
-    (H_B, W_B) bool
-    """
-    source_ids, target_ids = ids
-    return (source_ids[nnf[:, :, 0], nnf[:, :, 1]] != target_ids).any(axis=2)
 
 
 def spilling_report(names, data, folder, step=1, seed=0):

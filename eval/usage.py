@@ -1,6 +1,7 @@
 """How evenly the style was used."""
 
 import numpy as np
+from scipy.stats import entropy
 
 from stylit_ref.formulae.patch_penalization import omega_best
 
@@ -32,6 +33,20 @@ def peak_usage(omega, target_patches, patch_width):
     float
     """
     return float(omega.max() / omega_best(patch_width, omega.size, target_patches))
+
+
+def usage_entropy(omega):
+    """Entropy of Ω over the source's pixels over the largest possible; 1 is perfectly even.
+
+    Parameters
+    ----------
+    omega : (H_A, W_A) int32
+
+    Returns
+    -------
+    float
+    """
+    return float(entropy(omega.ravel()) / np.log(omega.size))
 
 
 def distinct_patches(nnf):

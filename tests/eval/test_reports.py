@@ -104,18 +104,6 @@ def test_scenes_report(data, tmp_path):
     assert len(pd.read_csv(report / "scenes.csv")) == 4
 
 
-def test_lambda_report(folder, capsys):
-    assert main(["lambda", "--scene", str(folder)]) == 0
-    assert "| λ" in capsys.readouterr().out
-    report = folder.parent / "reports" / "lambda_small_44x38"
-    written = {file.name for file in report.iterdir()}
-    images = {f"lambda_{value}.png" for value in (0, 5000, 10000, 15000)}
-    assert written == images | {"lambda.csv", "lambda.png", "report.md", "report.html"}
-    numbers = pd.read_csv(report / "lambda.csv")
-    assert list(numbers["λ"]) == [0, 5000, 10000, 15000]
-    assert (numbers["distinct"].diff().dropna() > 0).all()
-
-
 def test_epsilon_report(folder, monkeypatch):
     monkeypatch.setattr("eval.epsilon_report.EPSILONS", (100, 10000))
     monkeypatch.setattr("eval.epsilon_report.MAPS_SHOWN", (100,))
@@ -230,9 +218,9 @@ def test_bench_measures_both_programs_alike(folder, capsys, monkeypatch):
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["lambda", "--scene", "none"], "none: is neither a folder nor TARGET/STYLE of"),
-        (["lambda", "--scene", "."], "is no scene"),
-        (["lambda", "--scene", "small", "--step", "0"], "step is 0"),
+        (["stylit", "--scene", "none"], "none: is neither a folder nor TARGET/STYLE of"),
+        (["stylit", "--scene", "."], "is no scene"),
+        (["stylit", "--scene", "small", "--step", "0"], "step is 0"),
         (["spilling", "--scene", "small"], "small: is no scene of a data set"),
         (["bench", "--scene", "small", "--ebsynth", "./none"], "./none: is no program"),
     ],

@@ -1,0 +1,1 @@
+"""The thesis' tables, figures and claims, on our scenes and beside the published numbers."""
