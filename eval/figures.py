@@ -44,6 +44,7 @@ def comparison(file, rows, zoom):
     """
     columns = max(len(row) for row in rows)
     height, width = rows[0][-1][1].shape[:2]
+    dpi = 100 if width <= 320 else 200  # a large image deserves a large place
     figure = Figure(
         figsize=(3.2 * columns, 2 * len(rows) * (3.2 * height / width) + 0.5),
         layout="constrained",
@@ -59,13 +60,13 @@ def comparison(file, rows, zoom):
                 left + int(zoom[3] * image.shape[1]),
             )
             image = _in_colour(image)
-            axes[2 * k, column].imshow(image, interpolation="none")
+            axes[2 * k, column].imshow(image, interpolation="antialiased")
             axes[2 * k, column].set_title(title, fontsize=11)
             axes[2 * k, column].add_patch(
                 Rectangle((left, top), right - left, bottom - top, fill=False, color="lime")
             )
             axes[2 * k + 1, column].imshow(image[top:bottom, left:right], interpolation="nearest")
-    figure.savefig(file, dpi=100)
+    figure.savefig(file, dpi=dpi)
 
 
 def _in_colour(image):

@@ -94,7 +94,7 @@ def image_analogies(style, source_guides, target_guides, params):
 
 def _pyramid(image, levels):
     """Coarsest first."""
-    pyramid = [image.astype(float)]
+    pyramid = [image.astype(np.float32)]
     for _ in range(levels - 1):
         height, width = (side // 2 * 2 for side in pyramid[-1].shape[:2])
         pyramid.append(downscale_local_mean(pyramid[-1][:height, :width], (2, 2, 1)))
@@ -108,12 +108,12 @@ def _neighbourhoods(image, width):
     windows = view_as_windows(padded, (width, width, image.shape[2]))[:, :, 0]
     offsets = np.arange(-radius, radius + 1) / (radius / 2 + 0.5)
     weights = np.exp(-(offsets[:, None] ** 2 + offsets**2) / 2)
-    weights = np.sqrt(weights / weights.sum())[:, :, None]
+    weights = np.sqrt(weights / weights.sum())[:, :, None].astype(np.float32)
     return (windows * weights).reshape(*image.shape[:2], -1)
 
 
 def _known(guide, coarser):
-    """What is known of every pixel before the scan, (H, W, n) float64."""
+    """What is known of every pixel before the scan, (H, W, n) float32."""
     features = [_neighbourhoods(guide, FINE)]
     for image in coarser:
         parents = (
@@ -143,7 +143,7 @@ def _scan(source, target, style, size, candidates, tolerance):
     """The scan of a level: B' and for every pixel its source pixel."""
     height, width = size
     channels = style.shape[2]
-    made = np.zeros((height, width, channels))
+    made = np.zeros((height, width, channels), np.float32)
     nnf = np.zeros((height, width, 2), np.int32)
     radius = FINE // 2
     for y in range(height):

@@ -5,8 +5,9 @@ import io
 import json
 import time
 import zipfile
+import zlib
 from dataclasses import asdict, dataclass, replace
-from functools import cached_property
+from functools import cache, cached_property, lru_cache
 from pathlib import Path
 
 import numpy as np
@@ -54,7 +55,7 @@ class Job:
     def _code(self):
         if isinstance(self.params, ImageAnalogies):
             return self.params.code
-        return LIBRARY_DIGEST
+        return LIBRARY_DIGEST + (kernels_digest() if self.backend == "cuda" else "")
 
     @property
     def file(self):
@@ -67,7 +68,7 @@ class Job:
         params = self.params
         if isinstance(params, ImageAnalogies):
             return f"{self.scene.name}, image analogies"
-        setting = {"guide_map": f", ε = {params.epsilon:g}", "stylit": ""}
+        setting = {"guide_map": f", ε = {params.epsilon:g}", "stylit": f", {params.budget}"}
         setting = setting.get(params.method, f", λ = {params.uniformity:g}")
         return f"{self.scene.name}, {params.method}{setting}, seed {self.seed}"
 
@@ -201,7 +202,16 @@ def store(job, result):
 
 def stored(job):
     """The :class:`Run` of a job, or None if there is none that can be read."""
-    return read(job.file)
+    try:
+        return _read(job.file, job.file.stat().st_mtime_ns)
+    except OSError:
+        return None
+
+
+@lru_cache(maxsize=64)
+def _read(file, _):
+    """A report asks for the same results again and again."""
+    return read(file)
 
 
 def read(file):
@@ -226,8 +236,23 @@ def read(file):
                 levels=tuple(file[f"level_{number}"] for number in range(1, count + 1)),
                 history=pd.DataFrame(facts["history"]),
             )
-    except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile):
+    except (
+        OSError,
+        ValueError,
+        KeyError,
+        EOFError,
+        NotImplementedError,
+        zipfile.BadZipFile,
+        zlib.error,
+    ):
         return None
+
+
+@cache
+def kernels_digest():
+    """Identifies the CUDA kernels."""
+    files = sorted((Path(__file__).parents[1] / "gpu_cuda").glob("*.py"))
+    return hashlib.sha256(b"".join(file.read_bytes() for file in files)).hexdigest()
 
 
 def compile_kernels(scene, params, backend="cpu"):

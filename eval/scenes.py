@@ -2,6 +2,7 @@
 
 import hashlib
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 
 import numpy as np
@@ -55,7 +56,7 @@ class Scene:
         shown = next((names.index(name) for name in ("FULL", "fullgi") if name in names), 0)
         return self.target_guides[shown]
 
-    @property
+    @cached_property
     def digest(self):
         """Identifies the pixels of the scene."""
         digest = hashlib.sha256()

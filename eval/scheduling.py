@@ -1,6 +1,7 @@
 """Runs one after another here, or on a Dask cluster; every finished one is kept at once."""
 
 import io
+import threading
 import time
 import traceback
 from collections import defaultdict
@@ -108,13 +109,25 @@ def _on_cluster(jobs, scheduler, bar):
         for future in as_completed(futures):
             job = futures[future]
             bar.set_description_str(job.title)
-            yield job, future.exception() if future.status == "error" else future.result()
+            try:
+                key, *outcome = future.result()
+                if key != job.key:
+                    raise RuntimeError("the worker runs other code than this checkout's")
+            except Exception as error:
+                outcome = error
+            yield job, outcome
             bar.update(_cost(job))
             future.release()
 
 
-def _work_of(scene, *job):
-    return work(Job(scene, *job))
+_ALONE = threading.Lock()
+"""Kernels use all of a worker's processors, and not every threading layer lets two threads in."""
+
+
+def _work_of(scene, *rest):
+    job = Job(scene, *rest)
+    with _ALONE:
+        return job.key, *work(job)
 
 
 @contextmanager

@@ -30,6 +30,8 @@ class Claim(NamedTuple):
         When it counts as held.
     evidence : str
         Our figures.
+    of_time : bool
+        Whether times are compared.
     """
 
     claim: str
@@ -37,6 +39,7 @@ class Claim(NamedTuple):
     verdict: str
     rule: str
     evidence: str
+    of_time: bool = False
 
 
 def claims(plan, similarities):
@@ -54,18 +57,19 @@ def claims(plan, similarities):
     pandas.DataFrame
         Columns as :class:`Claim`.
     """
-    return pd.DataFrame(
-        [
-            _best_lambda(plan),
-            _washout(plan),
-            _slower(plan),
-            _without_omega(plan),
-            _shared_memory(plan),
-            _sweet_spot(plan, similarities),
-            _levelling_off(plan),
-            _edges(plan),
-        ]
-    )
+    found = [
+        _best_lambda(plan),
+        _washout(plan),
+        _slower(plan),
+        _without_omega(plan),
+        _shared_memory(plan),
+        _sweet_spot(plan, similarities),
+        _levelling_off(plan),
+        _edges(plan),
+    ]
+    if plan.scheduler:  # rows may be of different machines
+        found = [claim._replace(verdict=OPEN) if claim.of_time else claim for claim in found]
+    return pd.DataFrame(found).drop(columns="of_time")
 
 
 def _majority(votes):
@@ -97,20 +101,33 @@ def _washout(plan):
     votes, found = [], []
     for target, seeds in plan.seeds.items():
         zero, default = (
-            np.array([stored_quality(plan.ref(target, value, seed))["patches"] for seed in seeds])
+            pd.DataFrame([stored_quality(plan.ref(target, value, seed)) for seed in seeds])
             for value in (0, 10000)
         )
-        spread = max(zero.std(ddof=1), default.std(ddof=1)) if len(seeds) > 1 else 0.0
-        votes.append(zero.mean() - default.mean() > spread)
-        more = f" ± {spread:.2f}" if len(seeds) > 1 else ""
-        found.append(f"{target} {zero.mean():.2f} and {default.mean():.2f}{more}")
+        worse = {"patches": zero["patches"].mean() - default["patches"].mean()}
+        worse["richness"] = default["richness"].mean() - zero["richness"].mean()
+        votes.append(
+            all(
+                worse[name] > max(zero[name].std(), default[name].std(), 0.0)
+                if len(seeds) > 1
+                else worse[name] > 0
+                for name in worse
+            )
+        )
+        pairs = (
+            f"{zero[name].mean():.{digits}f} and {default[name].mean():.{digits}f}"
+            for name, digits in (("patches", 2), ("richness", 3), ("sharpness", 3))
+        )
+        found.append(f"{target} {', '.join(pairs)}")
     return Claim(
         "λ = 0 washes out the style",
         "4.3",
         _majority(votes),
-        "on most targets the patch distance to the style is larger at λ = 0 than at λ = 10000, by "
-        "more than seeds differ where several were run",
-        "; ".join(found),
+        "on most targets the patch distance to the style is larger at λ = 0 than at λ = 10000 and "
+        "the output less rich in detail, by more than seeds differ where several were run",
+        "patch distance, richness and sharpness at λ = 0 and 10000: "
+        + "; ".join(found)
+        + ". Smooth patches are taken more often; that voting blurs (sharpness) is not why",
     )
 
 
@@ -136,6 +153,7 @@ def _slower(plan):
         f"correlations {', '.join(f'{trend:.2f}' for trend in trends.values())}; λ = 100000 takes "
         f"{min(ratios):.2f} to {max(ratios):.2f} times as long as λ = 0 (thesis: "
         f"{published.min():.2f} to {published.max():.2f})",
+        of_time=True,
     )
 
 
@@ -149,15 +167,21 @@ def _without_omega(plan):
         "λ = 0 without any code of Ω is 1.5 to 2.5 times as fast",
         "4.3",
         HELD if 1.5 <= median <= 2.5 else NOT_HELD,
-        "the median over targets of the ratio is in that range; λ = 0 here never touches Ω, and "
-        "the least λ above 0 stands for λ = 0 with it",
-        f"{median:.2f} times ({min(ratios):.2f} to {max(ratios):.2f}): W is one read a candidate",
+        "the median over targets of the ratio is in that range; λ = 0 here never updates W, though "
+        "its one read a candidate stays, and the least λ above 0 stands for λ = 0 with all of it",
+        f"{median:.2f} times ({min(ratios):.2f} to {max(ratios):.2f})",
+        of_time=True,
     )
 
 
 def _shared_memory(plan):
     records = [record for target in plan.scenes for record in plan.gpu_records(target).values()]
-    equal = [record["identical to the CPU"]["shared memory, λ = 10000"] for record in records]
+    equal = [
+        same
+        for record in records
+        for setting, same in record["identical to the CPU"].items()
+        if setting.startswith("shared memory")
+    ]
     unknown = (
         "no GPU was at hand; in the simulator the bytes are equal (tests/gpu_cuda), and ptxas "
         "accepts the tile (reports/ptx)"
@@ -165,9 +189,9 @@ def _shared_memory(plan):
     return Claim(
         "Shared memory changes nothing but time",
         "5.1.3",
-        (HELD if all(equal) else NOT_HELD) if records else OPEN,
+        (HELD if all(equal) else NOT_HELD) if equal else OPEN,
         "in every record of a GPU (reports/gpu) the bytes are those of the CPU",
-        f"equal in {sum(equal)} of {len(equal)} records" if records else unknown,
+        f"equal in {sum(equal)} of {len(equal)} runs" if equal else unknown,
     )
 
 
@@ -184,7 +208,8 @@ def _sweet_spot(plan, similarities):
         for target, table in similarities.items()
     }
     votes = [
-        ratios[target][0] > max(1, 0.9 * ratios[target][1]) and flips[target][0] < flips[target][1]
+        ratios[target][0] - 1 > max(0, 0.9 * (ratios[target][1] - 1))
+        and flips[target][0] < flips[target][1]
         for target in plan.scenes
     ]
     at_100, at_10000 = (np.median([pair[k] for pair in ratios.values()]) for k in (0, 1))
@@ -197,6 +222,7 @@ def _sweet_spot(plan, similarities):
         f"median ref/time {at_100:.2f} at ε = 100, {at_10000:.2f} at 10000: on this machine guide "
         f"maps save {'something' if at_100 > 1 else 'nothing'}; FLIP "
         + ", ".join(f"{target} {a:.3f} and {b:.3f}" for target, (a, b) in flips.items()),
+        of_time=True,
     )
 
 
@@ -212,16 +238,17 @@ def _levelling_off(plan):
     return Claim(
         "Gains level off past ε = 100",
         "5.2.4",
-        HELD if before > past > 1 else NOT_HELD,
-        "the median speed-up from ε = 3 to 100 exceeds that from 100 to 10000, and both are above "
-        "1",
+        OPEN if before * past < 1.1 else HELD if before > past else NOT_HELD,
+        "the median speed-up from ε = 3 to 100 exceeds that from 100 to 10000; not to be judged "
+        "where the two together are below a tenth",
         f"{before:.2f} and {past:.2f} times (thesis: {published_before:.2f} and "
         f"{published_past:.2f})",
+        of_time=True,
     )
 
 
 def _edges(plan):
-    if not all(scene.ids for scene in plan.scenes.values()):
+    if any(scene.ids is None for scene in plan.scenes.values()):
         return Claim(
             "Edges are lost past ε = 5000", "5.2.4", OPEN, "spilling rises", "no object ids here"
         )
@@ -229,7 +256,7 @@ def _edges(plan):
         target: [
             stored_quality(job)["spilled"]
             for job in (
-                plan.ref(target), plan.guide_map(target, 100), plan.guide_map(target, 10000)
+                plan.ref(target), plan.guide_map(target, 5000), plan.guide_map(target, 10000)
             )
         ]
         for target in plan.scenes
@@ -237,12 +264,11 @@ def _edges(plan):
     return Claim(
         "Edges are lost past ε = 5000",
         "5.2.4",
-        _majority([past > 1.2 * max(ref, at_100) for ref, at_100, past in spilled.values()]),
-        "on most targets a fifth more patches come from another object at ε = 10000 than with ref "
-        "and at ε = 100",
+        _majority([past > 1.2 * ref for ref, _, past in spilled.values()]),
+        "on most targets a fifth more patches come from another object at ε = 10000 than with ref",
         "; ".join(
-            f"{target} {ref:.1%}, {at_100:.1%}, {past:.1%}"
-            for target, (ref, at_100, past) in spilled.items()
+            f"{target} {ref:.1%}, {at_5000:.1%}, {past:.1%}"
+            for target, (ref, at_5000, past) in spilled.items()
         )
-        + " (ref, ε = 100, ε = 10000)",
+        + " (ref, ε = 5000, ε = 10000)",
     )

@@ -10,7 +10,7 @@ import pandas as pd
 from tqdm import tqdm
 
 from eval.circumstances import circumstances
-from eval.report import REPORTS, html_page, table
+from eval.report import html_page, table
 from eval.runs import stored
 from eval.thesis import pictures, published, tables
 from eval.thesis.claims import claims
@@ -39,6 +39,8 @@ def write_page(plan, folder):
     if _is_up_to_date(folder, inputs):
         return False
     folder.mkdir(parents=True, exist_ok=True)
+    for file in _files_of(folder):
+        (folder / file).unlink(missing_ok=True)
     (folder / INPUTS).unlink(missing_ok=True)
     writer = _Writer(folder)
     sections = [f"# Chapters 4 and 5 of the thesis, preset {plan.name}", _preface(plan)]
@@ -157,7 +159,7 @@ def _overall(plan, writer):
         writer.table("shared_memory", shared, tables.formatted_times(shared)),
     ]
     if not any(plan.gpu_records(target) for target in plan.scenes):
-        ptx = pd.read_csv(REPORTS_OF_CHECKOUT / "ptx" / "ptx.csv")
+        ptx = pd.read_csv(CHECKOUT / "reports" / "ptx" / "ptx.csv")
         ptx = ptx[ptx["kernel"].str.match(r"(propagation|random_search)(, shared)?$")]
         sections += [
             "No GPU was at hand, so there are no times of ours. What is known without one: in "
@@ -176,13 +178,15 @@ def _overall(plan, writer):
     ]
 
 
-REPORTS_OF_CHECKOUT = Path(__file__).parents[2] / REPORTS
+CHECKOUT = Path(__file__).parents[2]
 
 
 def _inputs(plan):
     """Identifies everything a report is made of."""
     code = hashlib.sha256()
-    for file in sorted(Path(__file__).parents[1].rglob("*.py")):
+    here = Path(__file__)
+    numbers = [*here.parent.glob("published/*.csv"), *(CHECKOUT / "reports" / "ptx").glob("*.csv")]
+    for file in sorted([*here.parents[1].rglob("*.py"), *numbers]):
         code.update(file.read_bytes())
     records = [plan.gpu_records(target) for target in plan.scenes]
     identity = [plan.name, [job.key for job in plan.jobs], records, LIBRARY_DIGEST]
@@ -190,12 +194,21 @@ def _inputs(plan):
     return code.hexdigest()
 
 
-def _is_up_to_date(folder, inputs):
+def _record(folder):
+    """What a report says it was made of; nothing where there is none."""
     try:
-        record = json.loads((folder / INPUTS).read_text(encoding="utf-8"))
+        return json.loads((folder / INPUTS).read_text(encoding="utf-8"))
     except (OSError, ValueError):
-        return False
-    return record["inputs"] == inputs and all((folder / file).exists() for file in record["files"])
+        return {"inputs": None, "files": []}
+
+
+def _files_of(folder):
+    return [file for file in _record(folder)["files"] if Path(file).name == file]
+
+
+def _is_up_to_date(folder, inputs):
+    files = _files_of(folder)
+    return _record(folder)["inputs"] == inputs and all((folder / file).exists() for file in files)
 
 
 def _embedded(folder, file):

@@ -1,5 +1,6 @@
 """Which runs the tables and figures of the thesis need."""
 
+import re
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -156,7 +157,12 @@ def preset(name, data=None, targets=None, step=1, seeds=None, **where):
     per_target = {
         target: tuple(seeds or ((0, 1, 2) if target == BACKGROUND else (0,))) for target in targets
     }
-    return Plan(name, scenes, per_target, **where)
+    variant = [name, *(targets if len(scenes) < len(TARGETS) else ())]
+    if data.resolve() != PRESETS[name].resolve():
+        variant.append(data.resolve().name)
+    if step > 1:
+        variant.append(f"step_{step}")
+    return Plan("_".join(variant), scenes, per_target, **where)
 
 
 def own_scene(folder, style=None, seeds=None, **where):
@@ -183,4 +189,5 @@ def own_scene(folder, style=None, seeds=None, **where):
             sizes = ("{1}x{0}".format(*each.shape) for each in (image, scene.style))
             raise InputError("{}: is {}; the source guides are {}".format(style, *sizes))
         scene = replace(scene, style=image, name=f"{scene.name}_{Path(style).stem}")
-    return Plan(scene.name, {scene.name: scene}, {scene.name: tuple(seeds or (0, 1, 2))}, **where)
+    name = re.sub(r"\W+", "_", scene.name)
+    return Plan(name, {name: scene}, {name: tuple(seeds or (0, 1, 2))}, **where)

@@ -7,7 +7,7 @@ from pathlib import Path
 from eval.image_analogies import ImageAnalogies
 from eval.image_energy import image_energy
 from eval.patch_distribution import patch_distance
-from eval.sharpness import sharpness
+from eval.sharpness import richness, sharpness
 from eval.spilling import spilling
 from eval.split_delta import split_delta
 from eval.usage import coverage, peak_usage, usage_entropy
@@ -24,6 +24,7 @@ MEASURES = {
     "entropy": ("entropy", "{:.4f}"),
     "peak": ("peak ω", "{:.1f}"),
     "sharpness": ("sharpness", "{:.3f}"),
+    "richness": ("richness", "{:.3f}"),
     "patches": ("patch distance", "{:.2f}"),
     "spilled": ("spilled", "{:.2%}"),
 }
@@ -36,10 +37,12 @@ DEFINITIONS = """\
   a converged λ = 0 search: the same question to every method.
 - **coverage**: share of the style's pixels under some assigned patch; **entropy**: that of Ω over
   the style's pixels, as a share of the largest; **peak ω**: largest Ω over ω_best (1 is even).
-- **sharpness** (wash-out): energy above a Gaussian blur (σ = 1 pixel) of the output over that of
-  the style at the pixels it was taken from; below 1, voting blurs.
+- Wash-out has two sides. **sharpness**: energy above a Gaussian blur (σ = 1 pixel) of the output
+  over that of the style at the pixels it was taken from; below 1, voting blurs. **richness**: the
+  same energy of the output over that of the whole style; lower, smooth patches are preferred.
 - **patch distance**: sliced Wasserstein distance between the 5x5 patches of the output and of the
-  style, 10000 of each, 64 directions, in 8-bit steps; 0 if both show the same patches as often.
+  style, 10000 of each, 64 directions, in 8-bit steps: whether there are the same strokes, and as
+  often.
 - **spilled**: target patches whose source patch is centred on another object."""
 
 
@@ -65,13 +68,15 @@ def quality(job, run):
         "entropy": usage_entropy(run.omega),
         "peak": peak_usage(run.omega, run.nnf[:, :, 0].size, Params().patch_width),
         "sharpness": sharpness(image, scene.style, run.nnf),
+        "richness": richness(image, scene.style),
         "patches": patch_distance(image, scene.style),
     }
-    if len(run.history):
+    analogies = isinstance(job.params, ImageAnalogies)
+    if not analogies and job.params.method != "stylit":
         numbers["penalization"] = run.penalization
     if scene.ids:
         numbers["spilled"] = float(spilling(run.nnf, scene.ids).mean())
-    if isinstance(job.params, ImageAnalogies) or job.params.method != "guide_map":
+    if analogies or job.params.method != "guide_map":
         numbers["image_energy"] = image_energy(scene, image).mean
     return numbers
 
@@ -104,4 +109,5 @@ _DIGEST = _digest()
 
 
 def _file(job):
-    return STORE / f"{job.key}-{_DIGEST}.json"
+    objects = "" if job.scene.ids is None else "-objects"  # no part of the run, but of its measures
+    return STORE / f"{job.key}-{_DIGEST}{objects}.json"

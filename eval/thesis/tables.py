@@ -67,7 +67,7 @@ def epsilon_times(plan, target):
                 "ours [s]": seconds,
                 "ours ref/time": ref / seconds,
                 "ours StyLit/time": stylit / seconds,
-                **_on_gpu(plan, target, setting, {"StyLit": stylit}),
+                **_on_gpu(plan, target, setting, {"ref": ref, "StyLit": stylit}),
             }
         )
     return pd.DataFrame(table)
@@ -84,14 +84,14 @@ def shared_memory(plan):
                 "shared_memory_s": "published shared [s]",
                 "ref_s": "published ref [s]",
                 "ref_over_shared": "published ref/shared",
+                "stylit_over_shared": "published StyLit/shared",
             }
             row |= {title: printed[name].iloc[0] for name, title in names.items()}
         for device, record in plan.gpu_records(target).items():
-            shared, ref = (
-                record["seconds"][f"{kind}, λ = 10000"]
-                for kind in ("shared memory", "propose_commit")
-            )
-            row |= {f"{device} shared [s]": shared, f"{device} ref/shared": ref / shared}
+            kinds = "shared memory", "propose_commit"
+            shared, ref = (record["seconds"].get(f"{kind}, λ = 10000") for kind in kinds)
+            if shared and ref:
+                row |= {f"{device} shared [s]": shared, f"{device} ref/shared": ref / shared}
         table.append(row)
     return pd.DataFrame(table)
 
@@ -122,17 +122,21 @@ def similarity_table(plan, target):
     Returns
     -------
     pandas.DataFrame
-        A row for each ε, and for another seed of ``ref`` where there is one; means over seeds.
+        A row for each ε and λ, and for another seed of ``ref`` where there is one; means over
+        seeds.
     """
     seeds = plan.seeds[target]
     methods = {
         f"ε = {epsilon}": [(plan.guide_map(target, epsilon, seed), seed) for seed in seeds]
         for epsilon in EPSILONS
     }
-    methods["ref"] = [(plan.ref(target, seed=seed), seed) for seed in seeds]
+    methods |= {
+        f"λ = {uniformity}": [(plan.ref(target, uniformity, seed), seed) for seed in seeds]
+        for uniformity in UNIFORMITIES
+    }
     if len(seeds) > 1:
         others = (*seeds[1:], seeds[0])
-        methods["ref, another seed"] = [
+        methods["λ = 10000, another seed"] = [
             (plan.ref(target, seed=other), seed) for seed, other in zip(seeds, others, strict=True)
         ]
     table = []
@@ -143,7 +147,7 @@ def similarity_table(plan, target):
             ref, stylit = stored(plan.ref(target, seed=seed)), stored(plan.stylit(target, seed))
             rows.append(
                 {
-                    "white": result.guide_map.mean(),
+                    "white": result.guide_map.mean() if name.startswith("ε") else np.nan,
                     "PSNR": psnr(result.image, ref.image),
                     "SSIM": ssim(result.image, ref.image),
                     "FLIP": flip(result.image, ref.image),
@@ -185,12 +189,15 @@ def formatted(table, measures):
 
 
 def formatted_times(table):
-    """Text of a table of times and ratios, three significant digits as printed."""
-    return table.map(
-        lambda value: (
-            "" if pd.isna(value) else f"{value:.4g}" if isinstance(value, float) else value
-        )
-    )
+    """Text of a table of times and ratios: what is published as it is printed."""
+    text = table.copy().astype(object)
+    for name in table:
+        digits = 6 if name.startswith(("published", "printed", "table")) else 4
+        text[name] = [
+            "" if pd.isna(value) else f"{value:.{digits}g}" if isinstance(value, float) else value
+            for value in table[name]
+        ]
+    return text
 
 
 def _plus_minus(spread, form):
