@@ -3,6 +3,7 @@
 import argparse
 import sys
 import warnings
+from importlib import import_module
 from itertools import chain
 from pathlib import Path
 
@@ -37,14 +38,15 @@ def command():
 def main(arguments=None):
     """Run the command line; returns the exit code.
 
-    0 on success, 2 for input that cannot be used, 130 when interrupted.
+    0 on success, 1 where a port differs from the oracle, 2 for input that cannot be used, 130 when
+    interrupted.
     """
     options = _parser().parse_args(arguments)
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("always", UserWarning)
             warnings.showwarning = lambda message, *_: print(f"note: {message}", file=sys.stderr)
-            options.command(options)
+            return options.command(options) or 0
     except InputError as error:
         name, space, rest = str(error).partition(" ")  # a parameter goes by its flag here
         print(f"stylit-ref: {_FLAGS.get(name, name)}{space}{rest}", file=sys.stderr)
@@ -52,7 +54,6 @@ def main(arguments=None):
     except KeyboardInterrupt:
         print("stylit-ref: interrupted; no half-written file is left", file=sys.stderr)
         return 130
-    return 0
 
 
 class _Parser(argparse.ArgumentParser):
@@ -141,7 +142,7 @@ def _parser():
         allow_abbrev=False,
     )
     parser.add_argument("--version", action="version", version=f"stylit-ref {__version__}")
-    commands = parser.add_subparsers(required=True, metavar="{run,replay,doctor}")
+    commands = parser.add_subparsers(required=True, metavar="{run,replay,oracle,doctor}")
 
     run = commands.add_parser(
         "run",
@@ -213,6 +214,33 @@ def _parser():
         "--scale", type=int, default=1, help="how many times larger the style is (default 1)"
     )
 
+    oracle = commands.add_parser(
+        "oracle",
+        help="check a port of the algorithm against test vectors",
+        description="Check a port of the algorithm against test vectors of every stage.",
+        allow_abbrev=False,
+    ).add_subparsers(required=True, metavar="check")
+    check = oracle.add_parser(
+        "check",
+        help="name the first stage, pixel and value that differ",
+        description="Run a port on the cases and name the first stage, pixel and value that "
+        "differ. Without one, this library's own passes are checked.",
+        allow_abbrev=False,
+    )
+    check.set_defaults(command=lambda options: _oracle().check_port(options))
+    check.add_argument(
+        "--port", metavar="COMMAND",
+        help="runs the port on the case in folder {input}, its results go to folder {output}",
+    )  # fmt: skip
+    check.add_argument(
+        "--module", metavar="NAME",
+        help="Python module with run_case(stage, parameters, arrays), or with the passes",
+    )  # fmt: skip
+    check.add_argument("--stages", metavar="A,B", help="stages to check (default: all)")
+    check.add_argument("--xfail", metavar="FILE", help="cases that may fail, a line each")
+    check.add_argument("--json", metavar="FILE", help="write what became of every case")
+    check.add_argument("--cases", default="v1", help="version of the cases (default %(default)s)")
+
     doctor = commands.add_parser(
         "doctor",
         help="say what there is for a GPU",
@@ -221,6 +249,15 @@ def _parser():
     )
     doctor.set_defaults(command=lambda _: print(*cuda_report(), sep="\n"))
     return parser
+
+
+def _oracle():
+    try:
+        return import_module("oracle.command")
+    except ModuleNotFoundError as error:
+        if error.name != "oracle":
+            raise
+        raise InputError("the oracle is not installed with this package") from None
 
 
 def _run(options):

@@ -1,0 +1,145 @@
+"""Cases: a stage of the algorithm with its input and what it must give."""
+
+import hashlib
+import json
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+
+VERSIONS = ("v1",)
+"""A version never changes; what would change it is the next one."""
+
+SECTIONS = {
+    "philox": "4",
+    "weights": "2",
+    "random_nnf": "5",
+    "downsample": "6",
+    "upsample_nnf": "6",
+    "occurrence": "1",
+    "delta": "3",
+    "phi": "3",
+    "guide_map": "12",
+    "white_delta": "12",
+    "propagation": "7",
+    "random_search": "8",
+    "commit_order": "9",
+    "commit": "9",
+    "iteration": "10",
+    "vote": "11",
+    "level": "13",
+    "run": "13",
+    "budget": "14",
+    "knee": "14",
+}
+"""Section of SPEC.md of every stage. In an order in which a stage needs only those before it: the
+first that fails is the one to mend."""
+
+STAGES = tuple(SECTIONS)
+
+
+@dataclass(frozen=True)
+class Case:
+    """A stage, its input, and what it must give.
+
+    Attributes
+    ----------
+    stage, name : str
+    parameters : dict
+        Numbers, text and lists.
+    arrays, expected : dict of str to array
+    tolerances : dict of str to float
+        Relative, of expected arrays that need not be equal bit for bit.
+    """
+
+    stage: str
+    name: str
+    parameters: dict
+    arrays: dict[str, np.ndarray]
+    expected: dict[str, np.ndarray]
+    tolerances: dict[str, float] = field(default_factory=dict)
+
+    @property
+    def title(self):
+        """Stage and name."""
+        return f"{self.stage}/{self.name}"
+
+
+def folder_of(version):
+    """Where the cases of a version lie."""
+    return Path(__file__).with_name(version)
+
+
+def write_input(case, folder):
+    """Write what a port sees of a case."""
+    folder.mkdir(parents=True, exist_ok=True)
+    description = {
+        "stage": case.stage,
+        "name": case.name,
+        "section": SECTIONS[case.stage],
+        "parameters": case.parameters,
+        "tolerances": case.tolerances,
+    }
+    text = json.dumps(description, indent=1, ensure_ascii=False)
+    (folder / "case.json").write_text(text + "\n", encoding="utf-8")
+    _write_arrays(folder, case.arrays)
+
+
+def write_case(case, version):
+    """Write a case with what it must give, and the digests of its files."""
+    folder = folder_of(version) / case.stage / case.name
+    write_input(case, folder)
+    _write_arrays(folder / "expected", case.expected)
+
+
+def write_digests(version):
+    """Write the SHA-256 of every file of a version, so that a change does not go unnoticed."""
+    folder = folder_of(version)
+    lines = [f"{_sha256(file)}  {file.relative_to(folder).as_posix()}" for file in _files(folder)]
+    (folder / "SHA256SUMS").write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
+def damaged_files(version):
+    """Files of a version that differ from its digests, lack one, or are gone."""
+    folder = folder_of(version)
+    lines = (folder / "SHA256SUMS").read_text(encoding="utf-8").splitlines()
+    listed = {name: digest for digest, name in (line.split("  ", 1) for line in lines)}
+    found = {file.relative_to(folder).as_posix(): _sha256(file) for file in _files(folder)}
+    names = listed.keys() | found.keys()
+    return sorted(name for name in names if listed.get(name) != found.get(name))
+
+
+def read_cases(version, stages=STAGES):
+    """The cases of some stages, in the order of the stages."""
+    for stage in stages:
+        for folder in sorted((folder_of(version) / stage).iterdir()):
+            description = json.loads((folder / "case.json").read_text(encoding="utf-8"))
+            yield Case(
+                stage,
+                folder.name,
+                description["parameters"],
+                read_arrays(folder),
+                read_arrays(folder / "expected"),
+                description["tolerances"],
+            )
+
+
+def read_arrays(folder):
+    """Every array of a folder, by name; never an object that was pickled."""
+    return {file.stem: np.load(file, allow_pickle=False) for file in sorted(folder.glob("*.npy"))}
+
+
+def _write_arrays(folder, arrays):
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, array in arrays.items():
+        np.save(folder / f"{name}.npy", np.ascontiguousarray(array).reshape(np.shape(array)))
+
+
+def _files(folder):
+    return sorted(
+        file for file in folder.rglob("*") if file.is_file() and file.name != "SHA256SUMS"
+    )
+
+
+def _sha256(file):
+    return hashlib.sha256(file.read_bytes()).hexdigest()
