@@ -109,7 +109,7 @@ def launch_cooperative(kernel, most_threads, *arguments):
     threads = BLOCK[0] * BLOCK[1]
     if SIMULATED:
         with _timed(kernel):
-            kernel[1, threads](*arguments)
+            kernel[1, min(threads, most_threads)](*arguments)
         return
     specialized = kernel.specialize(*arguments)
     blocks = min(-(-most_threads // threads), _blocks_at_once(specialized, threads))
