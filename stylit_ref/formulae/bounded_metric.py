@@ -25,6 +25,33 @@ from stylit_ref.formulae.row_differences import make_weighted_ssd
 
 
 @lru_cache
+def make_delta_bound(lanes):
+    """Compile the lower bound of δ for patches of so many moments.
+
+    Returns
+    -------
+    callable
+        ``(textures, y, x, source_y, source_x) -> int64``: ``BOUND_SCALE`` times what δ does not
+        fall below.
+    """
+    moments_ssd = make_weighted_ssd(1, 1, lanes, element_bits=16)
+
+    @njit(forceinline=True, no_cpython_wrapper=True, no_cfunc_wrapper=True)
+    def delta_bound(textures, y, x, source_y, source_x):
+        return moments_ssd(
+            textures.target_moments,
+            (y * np.int64(textures.target_moments.shape[1]) + x) * lanes,
+            np.int64(0),
+            textures.source_moments,
+            (source_y * np.int64(textures.source_moments.shape[1]) + source_x) * lanes,
+            np.int64(0),
+            textures.moment_weights,
+        )
+
+    return delta_bound
+
+
+@lru_cache
 def make_bounded_metric(patch_width, channels, lanes, mean_channels):
     """Compile the metric for the constants of :func:`textures.metric_constants`.
 
@@ -44,7 +71,7 @@ def make_bounded_metric(patch_width, channels, lanes, mean_channels):
     """
     radius = patch_width // 2
     patch_ssd = make_weighted_ssd(patch_width, patch_width, channels, element_bits=8)
-    moments_ssd = make_weighted_ssd(1, 1, lanes, element_bits=16)
+    delta_bound = make_delta_bound(lanes)
 
     @njit(forceinline=True, no_cpython_wrapper=True, no_cfunc_wrapper=True)
     def patch_delta(textures, y, x, source_y, source_x):
@@ -63,19 +90,6 @@ def make_bounded_metric(patch_width, channels, lanes, mean_channels):
     assignment_delta = patch_delta
     if mean_channels:
         assignment_delta = make_guide_map_delta(patch_width, channels, mean_channels, patch_delta)
-
-    @njit(forceinline=True, no_cpython_wrapper=True, no_cfunc_wrapper=True)
-    def delta_bound(textures, y, x, source_y, source_x):
-        """``BOUND_SCALE`` times a lower bound of δ."""
-        return moments_ssd(
-            textures.target_moments,
-            (y * np.int64(textures.target_moments.shape[1]) + x) * lanes,
-            np.int64(0),
-            textures.source_moments,
-            (source_y * np.int64(textures.source_moments.shape[1]) + source_x) * lanes,
-            np.int64(0),
-            textures.moment_weights,
-        )
 
     @njit(forceinline=True, no_cpython_wrapper=True, no_cfunc_wrapper=True)
     def may_improve(
