@@ -14,6 +14,7 @@ from stylit_ref import __version__
 from stylit_ref.backends import BACKENDS, cuda_report
 from stylit_ref.checks import check_guides, check_mask
 from stylit_ref.errors import InputError
+from stylit_ref.example import write_example
 from stylit_ref.image_io import (
     check_image_writable,
     read_guides,
@@ -142,7 +143,7 @@ def _parser():
         allow_abbrev=False,
     )
     parser.add_argument("--version", action="version", version=f"stylit-ref {__version__}")
-    commands = parser.add_subparsers(required=True, metavar="{run,replay,oracle,doctor}")
+    commands = parser.add_subparsers(required=True, metavar="{run,replay,example,oracle,doctor}")
 
     run = commands.add_parser(
         "run",
@@ -214,6 +215,16 @@ def _parser():
         "--scale", type=int, default=1, help="how many times larger the style is (default 1)"
     )
 
+    example = commands.add_parser(
+        "example",
+        help="copy the bundled scenes and say how to stylize one",
+        description="Copy the bundled scenes, seven targets and a house with the passes of a sphere "
+        "painted in four styles, into a new folder, and print a command that stylizes one.",
+        allow_abbrev=False,
+    )
+    example.set_defaults(command=lambda options: print(write_example(options.folder)))
+    example.add_argument("folder", metavar="FOLDER", help="new folder for them")
+
     oracle = commands.add_parser(
         "oracle",
         help="check a port of the algorithm against test vectors",
@@ -237,9 +248,9 @@ def _parser():
         help="Python module with run_case(stage, parameters, arrays), or with the passes",
     )  # fmt: skip
     check.add_argument("--stages", metavar="A,B", help="stages to check (default: all)")
-    check.add_argument("--xfail", metavar="FILE", help="cases that may fail, a line each")
+    check.add_argument("--xfail", metavar="FILE", help="cases that are to fail, a line each; * stands for anything")
     check.add_argument("--json", metavar="FILE", help="write what became of every case")
-    check.add_argument("--cases", default="v1", help="version of the cases (default %(default)s)")
+    check.add_argument("--cases", metavar="v1", help="version of the cases (default: the newest)")
 
     doctor = commands.add_parser(
         "doctor",

@@ -2,6 +2,7 @@
 
 import os
 import re
+import shlex
 import shutil
 import signal
 import subprocess
@@ -456,3 +457,19 @@ def test_interruption_leaves_nothing(scene):
     assert not (folder / "nnf.npy").exists()
     assert [file.name for file in (folder / "levels").iterdir()] == ["level_1.png"]
     assert not [file for file in folder.iterdir() if file.name.startswith(".")]
+
+
+def test_the_example_can_be_stylized(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    assert main(["example", "some scenes"]) == 0
+    words = shlex.split(capsys.readouterr().out)
+    assert words[0] == "stylit-ref"
+    assert main([*words[1:], *QUICK]) == 0
+    size = read_image("some scenes/teapot/FULL.png").shape[:2]
+    assert read_image("stylized.png").shape == (*size, 3)
+    assert sorted(file.name for file in tmp_path.iterdir()) == ["some scenes", "stylized.png"]
+
+
+def test_an_example_replaces_nothing(tmp_path, capsys):
+    assert main(["example", str(tmp_path)]) == 2
+    assert f"{tmp_path}: exists; name a new folder" in capsys.readouterr().err
