@@ -19,7 +19,7 @@ def main(arguments=None):
     for folder in folder_of(version).glob("*/"):
         shutil.rmtree(folder)
     for case in tqdm(cases(), unit="case", disable=None):
-        write_case(case, version)
+        write_case(case)
     write_digests(version)
     return 0
 

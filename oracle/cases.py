@@ -29,8 +29,13 @@ SECTIONS = {
     "vote": "11",
     "level": "13",
     "run": "13",
+    "lower_bound": "16",
     "budget": "14",
     "knee": "14",
+    "invert_nnf": "15",
+    "settle": "15",
+    "stylit_search": "15",
+    "stylit_run": "15",
 }
 """Section of SPEC.md of every stage. In an order in which a stage needs only those before it: the
 first that fails is the one to mend."""
@@ -44,6 +49,8 @@ class Case:
 
     Attributes
     ----------
+    version : str
+        One of :data:`VERSIONS`.
     stage, name : str
     parameters : dict
         Numbers, text and lists.
@@ -52,6 +59,7 @@ class Case:
         Relative, of expected arrays that need not be equal bit for bit.
     """
 
+    version: str
     stage: str
     name: str
     parameters: dict
@@ -74,6 +82,7 @@ def write_input(case, folder):
     """Write what a port sees of a case."""
     folder.mkdir(parents=True, exist_ok=True)
     description = {
+        "version": case.version,
         "stage": case.stage,
         "name": case.name,
         "section": SECTIONS[case.stage],
@@ -85,9 +94,9 @@ def write_input(case, folder):
     _write_arrays(folder, case.arrays)
 
 
-def write_case(case, version):
-    """Write a case with what it must give, and the digests of its files."""
-    folder = folder_of(version) / case.stage / case.name
+def write_case(case):
+    """Write a case with what it must give."""
+    folder = folder_of(case.version) / case.stage / case.name
     write_input(case, folder)
     _write_arrays(folder / "expected", case.expected)
 
@@ -115,6 +124,7 @@ def read_cases(version, stages=STAGES):
         for folder in sorted((folder_of(version) / stage).iterdir()):
             description = json.loads((folder / "case.json").read_text(encoding="utf-8"))
             yield Case(
+                version,
                 stage,
                 folder.name,
                 description["parameters"],

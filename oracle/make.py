@@ -1,9 +1,11 @@
-"""The cases of version 1: awkward inputs, and what this library makes of them."""
+"""The cases of the newest version: awkward inputs, and what this library makes of them."""
 
 import numpy as np
 
-from oracle.cases import Case
+from oracle.cases import VERSIONS, Case
+from oracle.scene import PLACE, RUN, Scene, run_arrays
 from oracle.stages import run_case
+from oracle.stylit_cases import stylit_inputs
 from stylit_ref import passes
 
 LEVELS = {
@@ -27,66 +29,9 @@ LEVELS = {
 }  # fmt: skip
 """What differs from the plain level, by case."""
 
-PLACE = {"seed": 0x1234567890ABCDEF, "level": 3, "vote": 2, "iteration": 5}
-
-
-class _Scene:
-    """Input of the stages of a level, and whatever follows from it."""
-
-    def __init__(
-        self, number, source=(13, 17), target=(14, 12), guide_channels=(3, 3),
-        guide_weights=(1.0, 1.0), style_channels=3, patch_width=5, uniformity=5000.0,
-        guide_influence=2.0, constant=False, blemish=False, masked=False, smooth=False,
-        crowded=False,
-    ):  # fmt: skip
-        rng = np.random.default_rng(number)
-        channels = sum(guide_channels) + style_channels
-        self.guide_channels = sum(guide_channels)
-        self.arrays = {
-            name: _image(rng, size, channels, smooth, constant)
-            for name, size in (("source", source), ("target", target))
-        }
-        if blemish:  # half of the source is wrong, all of the rest equally right
-            self.arrays["source"][:, : source[1] // 2] = 0
-        self.weighing = {
-            "guide_channels": list(guide_channels),
-            "guide_weights": list(guide_weights),
-            "style_channels": style_channels,
-            "guide_influence": guide_influence,
-            "uniformity": uniformity,
-            "patch_width": patch_width,
-            "source_pixels": source[0] * source[1],
-            "target_patches": target[0] * target[1],
-        }
-        weighed = run_case("weights", self.weighing, {}, passes)
-        self.arrays["weights"] = weighed["weights"]
-        self.occurrence_weight = int(weighed["occurrence_weight"])
-        self.sizes = {
-            "patch_width": patch_width, "source_height": source[0], "source_width": source[1],
-        }  # fmt: skip
-        self.start = np.zeros((*target, 2), np.int32)
-        if masked:
-            self.start[np.eye(*target, dtype=bool)] = -1
-        place = {"seed": PLACE["seed"], "level": PLACE["level"]}
-        self.random = self.sizes | place
-        nnf = run_case("random_nnf", self.random, {"nnf": self.start}, passes)["nnf"]
-        if crowded:
-            nnf[::2] = nnf[0, 0]
-        self.arrays["nnf"] = nnf
-        self.metric = {"patch_width": patch_width, "guide_channels": self.guide_channels}
-        delta = run_case("delta", self.metric, self.arrays, passes)
-        self.arrays["delta"] = delta["delta_guides"] + delta["delta_style"]
-        occurrence = run_case("occurrence", self.sizes, {"nnf": nnf}, passes)
-        self.arrays["omega_sums"] = occurrence["omega_sums"]
-        self.search = self.metric | {"occurrence_weight": self.occurrence_weight}
-
-    def only(self, *names):
-        """Some of the arrays."""
-        return {name: self.arrays[name] for name in names}
-
 
 def cases():
-    """Every case of version 1, with what it must give.
+    """Every case of the newest version, with what it must give.
 
     Yields
     ------
@@ -96,7 +41,7 @@ def cases():
         expected = run_case(stage, parameters, arrays, passes)
         if stage in ("commit", "iteration") and not parameters["occurrence_weight"]:
             del expected["omega_sums"]
-        yield Case(stage, name, parameters, arrays, expected, tolerances)
+        yield Case(VERSIONS[-1], stage, name, parameters, arrays, expected, tolerances)
 
 
 def _inputs():
@@ -111,10 +56,10 @@ def _inputs():
         yield "downsample", name, {}, {"image": image}, {}
     yield "commit", "rush", *_rush(), {}
     for number, (name, differences) in enumerate(LEVELS.items()):
-        yield from _of_level(name, _Scene(number, **differences))
+        yield from _of_level(name, Scene(number, **differences))
     yield from _guide_maps()
     yield from _runs()
-    yield from _budgets(rng)
+    yield from stylit_inputs(rng)
 
 
 def _of_level(name, scene):
@@ -149,13 +94,15 @@ def _of_level(name, scene):
         yield "vote", f"{name}_{outliers}", parameters, voted, {}
     guides = np.ascontiguousarray(scene.arrays["target"][:, :, : scene.guide_channels])
     whole = scene.only("source", "weights", "nnf") | {"target_guides": guides}
-    counts = {"votes": 2, "iterations": 2, "seed": PLACE["seed"], "level": PLACE["level"]}
+    counts = {"votes": 2, "iterations": 1, "seed": PLACE["seed"], "level": PLACE["level"]}
     yield "level", name, scene.search | counts, whole, {}
+    bounded = scene.only("source", "target", "weights", "nnf")
+    yield "lower_bound", name, scene.metric, bounded, {}
 
 
 def _rush():
     """Everyone wants to the same patch: how many get there says when W follows."""
-    scene = _Scene(300, uniformity=50000.0)
+    scene = Scene(300, uniformity=50000.0)
     arrays = scene.only("nnf", "delta", "omega_sums")
     proposed = {
         "proposed_nnf": np.full_like(scene.start, 4),
@@ -174,7 +121,7 @@ def _guide_maps():
             ("ignored_guide", {"smooth": True, "guide_weights": (0.0, 1.0)}, 150.0),
         )
     ):
-        scene = _Scene(100 + number, **differences)
+        scene = Scene(100 + number, **differences)
         arrays = scene.only("source", "target", "weights")
         parameters = scene.metric | {"epsilon": epsilon}
         yield "guide_map", name, parameters, arrays, {}
@@ -184,49 +131,18 @@ def _guide_maps():
 
 
 def _runs():
-    plain = {
-        "masked": False, "guide_channels": [3, 1], "guide_weights": [1.0, 1.0],
-        "guide_influence": 2.0, "uniformity": 5000.0, "patch_width": 5, "levels": 6, "votes": 2,
-        "iterations": 2, "method": "ref", "epsilon": 0.0, "seed": 7,
-    }  # fmt: skip
+    plain = RUN | {"uniformity": 5000.0, "method": "ref", "epsilon": 0.0}
+    small, large = ((13, 15), (14, 12)), ((22, 25), (24, 20))
+    guide_map = {"method": "guide_map", "epsilon": 150.0, "patch_width": 5}
     for number, (name, differences, sizes) in enumerate(
         (
-            ("lambda_0", {"uniformity": 0.0}, ((22, 25), (24, 20))),
-            ("lambda_5000", {}, ((22, 25), (24, 20))),
-            ("lambda_100000", {"uniformity": 100000.0}, ((22, 25), (24, 20))),
-            ("one_level", {"levels": 1, "patch_width": 3}, ((12, 15), (16, 11))),
-            ("masked", {"masked": True}, ((22, 25), (24, 20))),
-            ("guide_map", {"method": "guide_map", "epsilon": 150.0}, ((22, 25), (24, 20))),
+            ("lambda_0", {"uniformity": 0.0}, small),
+            ("lambda_5000", {"patch_width": 5}, large),
+            ("lambda_100000", {"uniformity": 100000.0}, small),
+            ("one_level", {"levels": 1, "iterations": 2}, ((12, 15), (16, 11))),
+            ("masked", {"masked": True}, small),
+            ("guide_map", guide_map, small),
         )
     ):
-        rng = np.random.default_rng(200 + number)
-        source, target = sizes
-        arrays = {
-            "style": _image(rng, source, 3, False, False),
-            "source_guides": _image(rng, source, 4, True, False),
-            "target_guides": _image(rng, target, 4, True, False),
-        }
         parameters = plain | differences
-        if parameters["masked"]:
-            arrays["mask"] = np.zeros(target, bool)
-            arrays["mask"][:, 6:] = True
-        yield "run", name, parameters, arrays, {}
-
-
-def _budgets(rng):
-    errors = np.sort(rng.integers(0, 1 << 40, 200))
-    for share in (0.5, 0.9, 1.0, 1e-9):
-        yield "budget", f"share_{share:g}", {"share": share}, {"errors": errors}, {}
-    yield "budget", "all_zero", {"share": 0.9}, {"errors": np.zeros(5, np.int64)}, {}
-    ends = rng.uniform(0.5, 4, 20), rng.uniform(0.05, 0.45, 20)
-    a = np.array([*ends[0], 1.0, 1.0])
-    b = np.array([*(ends[0] - ends[1]), 0.0, 0.4])
-    yield "knee", "ends", {}, {"a": a, "b": b}, {"x": 1e-12}
-
-
-def _image(rng, size, channels, smooth, constant):
-    image = rng.integers(0, 256, (*size, channels), dtype=np.uint8)
-    if smooth:
-        ramp = np.add.outer(np.arange(size[0]), np.arange(size[1]))[:, :, None]
-        image = (ramp * 4 + image // 16).astype(np.uint8)
-    return np.full_like(image, 100) if constant else image
+        yield "run", name, parameters, run_arrays(200 + number, sizes, parameters["masked"]), {}

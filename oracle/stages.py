@@ -3,9 +3,12 @@
 import warnings
 
 import numpy as np
+from numba import njit
 
+from oracle import stylit_stages
+from oracle.levels import level_of_case
 from stylit_ref import Params, stylize
-from stylit_ref.error_budget import correspondences_within_budget, knee
+from stylit_ref.formulae.bounded_metric import make_delta_bound
 from stylit_ref.formulae.commit_classes import commit_order
 from stylit_ref.formulae.guide_map import scaled_variance
 from stylit_ref.formulae.philox import philox4x32
@@ -16,11 +19,11 @@ from stylit_ref.formulae.random_stream import (
     random_stream,
 )
 from stylit_ref.formulae.row_differences import LANES
-from stylit_ref.level import Level
-from stylit_ref.packing import Packing, make_packing, occurrence_weight
+from stylit_ref.packing import make_packing, occurrence_weight
 from stylit_ref.patchmatch import propose_commit
 
-METHODS = {"ref", "guide_map"}
+METHODS_OWN = "uniformity", "epsilon", "budget", "fixed_share", "error_limit"
+"""Parameters that only some methods have."""
 
 
 def run_case(stage, parameters, arrays, passes, backend="cpu"):
@@ -41,7 +44,7 @@ def run_case(stage, parameters, arrays, passes, backend="cpu"):
     -------
     dict of str to array
     """
-    if stage == "run":
+    if stage in ("run", "stylit_run"):
         return _run(parameters, arrays, backend)
     return _STAGES[stage](passes, parameters, arrays)
 
@@ -100,7 +103,7 @@ def _delta(passes, parameters, arrays):
     for name, part in (("delta_guides", np.s_[:guides]), ("delta_style", np.s_[guides:])):
         weights = np.zeros_like(arrays["weights"])
         weights[part] = arrays["weights"][part]
-        level = _level(passes, parameters, arrays | {"weights": weights})
+        level = level_of_case(passes, parameters, arrays | {"weights": weights})
         level.update_similarity()
         found[name] = passes.download(level.delta)
     return found
@@ -115,7 +118,7 @@ def _phi(passes, parameters, arrays):
 
 
 def _guide_map(passes, parameters, arrays):
-    level = _level(passes, parameters, arrays)
+    level = level_of_case(passes, parameters, arrays)
     used = list(level.packing.guide_channels)
     textures, width = level.textures, level.patch_width
     sums = {
@@ -133,19 +136,19 @@ def _guide_map(passes, parameters, arrays):
 
 
 def _white_delta(passes, parameters, arrays):
-    level = _level(passes, parameters | {"epsilon": 0.0}, arrays)
+    level = level_of_case(passes, parameters | {"epsilon": 0.0}, arrays)
     level.textures = level.textures._replace(guide_map=passes.upload(arrays["white"]))
     level.update_similarity()
     return {"delta": passes.download(level.delta)}
 
 
 def _propagation(passes, parameters, arrays):
-    level = _level(passes, parameters, arrays)
+    level = level_of_case(passes, parameters, arrays)
     return _proposed(level, passes.propagation, parameters["distance"])
 
 
 def _random_search(passes, parameters, arrays):
-    level = _level(passes, parameters, arrays)
+    level = level_of_case(passes, parameters, arrays)
     return _proposed(level, passes.random_search, _stream(parameters, RANDOM_SEARCH))
 
 
@@ -168,7 +171,7 @@ def _commit(passes, parameters, arrays):
 
 
 def _iteration(passes, parameters, arrays):
-    level = _level(passes, parameters, arrays)
+    level = level_of_case(passes, parameters, arrays)
     place = (parameters[name] for name in ("seed", "level", "vote", "iteration"))
     propose_commit(level, *place)
     names = "nnf", "delta", "omega_sums"
@@ -195,7 +198,7 @@ def _whole_level(passes, parameters, arrays):
     style_channels = arrays["source"].shape[2] - guides.shape[2]
     blank = np.zeros((*guides.shape[:2], style_channels), np.uint8)
     given = arrays | {"target": np.concatenate([guides, blank], axis=2)}
-    level = _level(passes, parameters, given)
+    level = level_of_case(passes, parameters, given)
     level.init_occurrence_map()
     for vote in range(1, parameters["votes"] + 1):
         level.vote()
@@ -214,15 +217,14 @@ def _run(parameters, arrays, backend):
         np.split(arrays[f"{side}_guides"], splits, axis=2) for side in ("source", "target")
     )
     params = Params(
-        parameters["method"],
+        parameters.get("method", "stylit"),
         patch_width=parameters["patch_width"],
         levels=parameters["levels"],
         votes=parameters["votes"],
         patchmatch_iterations=parameters["iterations"],
-        uniformity=parameters["uniformity"],
         guide_influence=parameters["guide_influence"],
         guide_weights=tuple(parameters["guide_weights"]),
-        epsilon=parameters["epsilon"],
+        **{name: parameters[name] for name in METHODS_OWN if name in parameters},
     )
     mask = arrays.get("mask")
     with warnings.catch_warnings():
@@ -237,13 +239,19 @@ def _run(parameters, arrays, backend):
     return {"image": image, "nnf": result.nnf, "omega": result.omega}
 
 
-def _budget(_, parameters, arrays):
-    return {"count": np.int64(correspondences_within_budget(arrays["errors"], parameters["share"]))}
+def _lower_bound(passes, parameters, arrays):
+    level = level_of_case(passes, parameters, arrays)
+    bound = np.zeros(level.nnf.shape[:2], np.int64)
+    _fill_bounds(make_delta_bound(len(level.packing.moments)), level.textures, level.nnf, bound)
+    return {"bound": bound}
 
 
-def _knee(_, parameters, arrays):
-    pairs = zip(arrays["a"], arrays["b"], strict=True)
-    return {"x": np.array([knee(a, b) for a, b in pairs], np.float64)}
+@njit
+def _fill_bounds(delta_bound, textures, nnf, bound):
+    for y in range(bound.shape[0]):
+        for x in range(bound.shape[1]):
+            if nnf[y, x, 0] >= 0:
+                bound[y, x] = delta_bound(textures, y, x, nnf[y, x, 0], nnf[y, x, 1])
 
 
 _STAGES = {
@@ -264,8 +272,8 @@ _STAGES = {
     "iteration": _iteration,
     "vote": _vote,
     "level": _whole_level,
-    "budget": _budget,
-    "knee": _knee,
+    "lower_bound": _lower_bound,
+    **stylit_stages.STAGES,
 }
 
 
@@ -285,46 +293,3 @@ def _proposed(level, propose, *parameters):
     )  # fmt: skip
     names = "proposed_nnf", "proposed_delta"
     return {name: level.passes.download(getattr(level, name)) for name in names}
-
-
-def _packing(weights, guides):
-    """A layout of channels of any weights, for the passes."""
-    places, packed = [], []
-    for channel, weight in enumerate(weights.tolist()):
-        if channel == guides and len(packed) % 2:
-            packed.append(0)
-        if len(packed) % 2 and packed[-1] != weight:
-            packed.append(0)
-        places.append(len(packed))
-        packed.append(weight)
-    packed += [0] * (-len(packed) % LANES)
-    return Packing(
-        guide_channels=tuple(places[:guides]),
-        style_channel=places[guides],
-        style_channels=len(places) - guides,
-        channels=len(packed),
-        weights=np.array(packed, np.int64),
-    )
-
-
-def _level(passes, parameters, arrays):
-    """A level of the library with the arrays of a case in it."""
-    guides = parameters["guide_channels"]
-    packing = _packing(arrays["weights"], guides)
-    params = Params(patch_width=parameters["patch_width"])
-    if "epsilon" in parameters:
-        params = Params(
-            "guide_map", patch_width=parameters["patch_width"], epsilon=parameters["epsilon"]
-        )
-    textures = []
-    for name in ("source", "target"):
-        channels = np.split(arrays[name], range(1, guides + 1), axis=2)
-        textures.append(passes.upload(packing.pack(channels[:-1], channels[-1])))
-    size = arrays["target"].shape[:2]
-    synthesized = arrays["nnf"][:, :, 0] >= 0 if "nnf" in arrays else np.ones(size, bool)
-    level = Level(passes, packing, params, *textures, synthesized)
-    for name in ("nnf", "delta", "omega_sums"):
-        if name in arrays:
-            setattr(level, name, passes.upload(arrays[name].copy()))
-    level.occurrence_weight = parameters.get("occurrence_weight", 0)
-    return level

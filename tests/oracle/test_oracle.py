@@ -2,10 +2,14 @@
 
 import inspect
 import json
+import os
+import subprocess
 import sys
+from collections import Counter
 from pathlib import Path
 from types import ModuleType
 
+import jsonschema
 import naive_port
 import numpy as np
 import pytest
@@ -37,6 +41,16 @@ def failed_stages(port, stages=STAGES):
 def test_files_are_those_of_the_digests():
     assert VERSIONS == ("v1",)
     assert damaged_files("v1") == []
+
+
+def test_descriptions_follow_the_schema():
+    text = (folder_of("v1") / "case.schema.json").read_text(encoding="utf-8")
+    schema = jsonschema.Draft202012Validator(json.loads(text))
+    schema.check_schema(schema.schema)
+    files = sorted(folder_of("v1").glob("*/*/case.json"))
+    assert len(files) > 200
+    for file in files:
+        schema.validate(json.loads(file.read_text(encoding="utf-8")))
 
 
 def test_every_stage_has_cases_and_a_section():
@@ -159,6 +173,22 @@ def test_a_mistake_is_found_at_its_stage(mistake):
     assert found[0] == stage
     assert "it must be" in message
     assert "differ)" in message
+
+
+def test_cuda_kernels_give_what_they_must():
+    """In Numba's simulator, which needs a process of its own."""
+    command = [sys.executable, "-m", "stylit_ref.cli", "oracle", "check", "--module", "gpu_cuda"]
+    done = subprocess.run(
+        [*command, "--xfail", folder_of("v1").with_name("gpu_cuda.xfail")],
+        check=False, capture_output=True, text=True,
+        env=os.environ | {"NUMBA_ENABLE_CUDASIM": "1"},
+    )  # fmt: skip
+    assert done.returncode == 0, done.stdout
+    counts = Counter(case.stage for case in read_cases("v1"))
+    beyond = sum(counts[stage] for stage in STAGES[STAGES.index("lower_bound") :])
+    beyond -= counts["budget"] + counts["knee"]
+    passed = counts.total() - beyond
+    assert done.stdout == f"{passed} passed, {beyond} failed as expected\n"
 
 
 def test_a_command_is_a_port(tmp_path, capsys):
