@@ -218,8 +218,8 @@ def _parser():
     example = commands.add_parser(
         "example",
         help="copy the bundled scenes and say how to stylize one",
-        description="Copy the bundled scenes, seven targets and a house with the passes of a sphere "
-        "painted in four styles, into a new folder, and print a command that stylizes one.",
+        description="Copy the bundled scenes, seven targets, a house, and a sphere painted in four "
+        "styles, into a new folder, and print a command that stylizes one.",
         allow_abbrev=False,
     )
     example.set_defaults(command=lambda options: print(write_example(options.folder)))
@@ -248,7 +248,9 @@ def _parser():
         help="Python module with run_case(stage, parameters, arrays), or with the passes",
     )  # fmt: skip
     check.add_argument("--stages", metavar="A,B", help="stages to check (default: all)")
-    check.add_argument("--xfail", metavar="FILE", help="cases that are to fail, a line each; * stands for anything")
+    check.add_argument(
+        "--xfail", metavar="FILE", help="cases that are to fail, a line each; * stands for anything"
+    )
     check.add_argument("--json", metavar="FILE", help="write what became of every case")
     check.add_argument("--cases", metavar="v1", help="version of the cases (default: the newest)")
 
