@@ -34,6 +34,7 @@ def stylit_inputs(rng):
         ("small_source", {"source": (7, 9), "target": (19, 16)}, {}),
         ("masked", {"masked": True, "smooth": True}, {}),
         ("all_ties", {"constant": True}, {}),
+        ("equal_errors", {"constant": True, "blemish": True}, {"budget": 0.5}),
     ):
         scene = Scene(500, uniformity=0.0, **differences)
         arrays = scene.only("source", "target", "weights", "nnf", "delta")

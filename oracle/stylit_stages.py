@@ -54,7 +54,7 @@ def _search(passes, parameters, arrays):
     place = parameters["seed"], parameters["level"], parameters["vote"]
     steps = list(stylit.search(level, params, *place))
     fixed = [step.moves for step in steps if step.retrieval]
-    return {"nnf": level.nnf, "delta": level.delta, "fixed": np.array(fixed, np.int64)}
+    return {"nnf": level.nnf, "delta": level.delta, "fixed_counts": np.array(fixed, np.int64)}
 
 
 STAGES = {

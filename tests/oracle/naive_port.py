@@ -94,17 +94,29 @@ def usable_centres(nnf, radius):
     return np.where(assigned_pixels(nnf)[..., None], nnf, radius)
 
 
+def patch_values(source, target, pixels, centres, dy, dx):
+    """Give the target's and the source's values at an offset in their patches."""
+    height, width = target.shape[:2]
+    y = np.clip(pixels[..., 0] + dy, 0, height - 1)
+    x = np.clip(pixels[..., 1] + dx, 0, width - 1)
+    source_values = source[centres[..., 0] + dy, centres[..., 1] + dx]
+    return target[y, x].astype(np.int64), source_values.astype(np.int64)
+
+
+def patch_delta(source, target, weights, pixels, centres, radius):
+    """Compare the patches of target pixels and of source centres."""
+    total = np.zeros(pixels.shape[:-1], np.int64)
+    for dy, dx in offsets(radius):
+        target_values, source_values = patch_values(source, target, pixels, centres, dy, dx)
+        difference = target_values - source_values
+        total += (weights * difference * difference).sum(axis=-1)
+    return total
+
+
 def delta(source, target, weights, nnf, radius):
     """Compare the patches of each target pixel and of its source centre; 0 at -1."""
-    height, width = nnf.shape[:2]
-    ys, xs = target_grid(height, width)
-    centres = usable_centres(nnf, radius)
-    total = np.zeros((height, width), np.int64)
-    for dy, dx in offsets(radius):
-        target_values = target[np.clip(ys + dy, 0, height - 1), np.clip(xs + dx, 0, width - 1)]
-        source_values = source[centres[..., 0] + dy, centres[..., 1] + dx]
-        difference = target_values.astype(np.int64) - source_values.astype(np.int64)
-        total += (weights * difference * difference).sum(axis=-1)
+    pixels = np.stack(target_grid(*nnf.shape[:2]), axis=-1)
+    total = patch_delta(source, target, weights, pixels, usable_centres(nnf, radius), radius)
     return np.where(assigned_pixels(nnf), total, 0)
 
 
@@ -122,7 +134,7 @@ def phi(delta_values, omega_sums, occurrence_weight, nnf):
 # --- 4. Random numbers --------------------------------------------------------------------------
 
 WORD = 0xFFFFFFFF
-RANDOM_NNF, RANDOM_SEARCH, COMMIT_ORDER = 1, 2, 3
+RANDOM_NNF, RANDOM_SEARCH, COMMIT_ORDER, RANDOM_CLAIMS, CLAIM_SEARCH = 1, 2, 3, 4, 5
 
 
 def philox(counters, keys):
@@ -475,8 +487,8 @@ def white_delta(source, target, weights, nnf, radius, source_sums, target_sums, 
 
 
 def run_level(source, target_guides, weights, nnf, radius, occurrence_weight, votes, iterations,
-              seed, level, epsilon=None):  # fmt: skip
-    """Synthesize one level; with an epsilon by guide maps."""
+              seed, level, epsilon=None, stylit=None):  # fmt: skip
+    """Synthesize one level; with an epsilon by guide maps, with stylit by the search of 15."""
     n_g = target_guides.shape[-1]
     style = source[..., n_g:]
     source_shape = source.shape[:2]
@@ -496,6 +508,12 @@ def run_level(source, target_guides, weights, nnf, radius, occurrence_weight, vo
             return white_delta(source, target, weights, centres, radius, *maps)
 
         delta_values = measure(nnf)
+        if stylit is not None:
+            nnf, delta_values, _ = stylit_search(
+                source, target, weights, nnf, delta_values, radius, iterations, stylit,
+                seed, level, vote_number,
+            )  # fmt: skip
+            continue
         for iteration in range(1, iterations + 1):
             nnf, delta_values, omega_sums = patchmatch_iteration(
                 nnf, delta_values, omega_sums, occurrence_weight, radius, measure,
@@ -510,7 +528,7 @@ def empty_nnf(part):
     return np.where(part[..., None], np.zeros(2, np.int64), -1)
 
 
-def run(style, source_guides, target_guides, mask, p):
+def run(style, source_guides, target_guides, mask, p, stylit=None):
     """Go from the coarsest level to the finest."""
     patch_width = p["patch_width"]
     radius = patch_width // 2
@@ -542,7 +560,7 @@ def run(style, source_guides, target_guides, mask, p):
         )
         image, nnf, omega = run_level(
             level_source, targets[level - 1], weights, nnf, radius, occurrence_weight,
-            p["votes"], p["iterations"], seed, level, epsilon,
+            p["votes"], p["iterations"], seed, level, epsilon, stylit,
         )  # fmt: skip
     return np.where(mask[..., None], 0, image), nnf, omega
 
@@ -567,7 +585,216 @@ def knee(a, b):
     return np.where(a < 2.0 * (a - b), 1.0, x)
 
 
-# --- 15. Cases ----------------------------------------------------------------------------------
+# --- 15. StyLit's search ------------------------------------------------------------------------
+
+NO_LIMIT = np.iinfo(np.int64).max
+
+
+def source_centres(source_shape, radius):
+    """Give the centre of every source patch, in the grid of the claims."""
+    height, width = source_shape[0] - 2 * radius, source_shape[1] - 2 * radius
+    return np.stack(target_grid(height, width), axis=-1) + radius
+
+
+def error_limits(delta_values, error_limit):
+    """Give the largest error every target pixel accepts."""
+    if error_limit is None:
+        return np.full(delta_values.shape, NO_LIMIT)
+    limits = delta_values.astype(np.float64) * float(error_limit)
+    return np.floor(np.minimum(limits, 2.0**62)).astype(np.int64)
+
+
+def random_claims(grid_shape, target_shape, seed, level, vote_number):
+    """Let every source patch claim a random target pixel."""
+    words = draw_grid(make_stream(RANDOM_CLAIMS, seed, level, vote_number), *grid_shape, 0)
+    y = below(words[..., 0], target_shape[0])
+    x = below(words[..., 1], target_shape[1])
+    return np.stack([y, x], axis=-1)
+
+
+def invert_nnf(nnf, delta_values, claims, errors, radius):
+    """Offer the target pixels, in rows, to the source patches they are assigned to."""
+    claims, errors = claims.copy(), errors.copy()
+    for y, x in np.argwhere(assigned_pixels(nnf)):
+        patch = tuple(nnf[y, x] - radius)
+        if delta_values[y, x] < errors[patch]:
+            claims[patch] = y, x
+            errors[patch] = delta_values[y, x]
+    return claims, errors
+
+
+class ClaimProposal:
+    """The best claim so far of every source patch: its target pixel and error."""
+
+    def __init__(self, claims, errors, fixed, measure):
+        """Begin with the claims."""
+        self.claims = claims.copy()
+        self.errors = errors.copy()
+        self.fixed = fixed
+        self.measure = measure
+
+    def offer(self, candidate, valid):
+        """Replace the best where the candidate's pair (fixed, error) is lower."""
+        errors = self.measure(candidate)
+        fixed_old = self.fixed[self.claims[..., 0], self.claims[..., 1]]
+        fixed_new = self.fixed[candidate[..., 0], candidate[..., 1]]
+        lower = (fixed_new < fixed_old) | ((fixed_new == fixed_old) & (errors < self.errors))
+        better = valid & lower
+        self.claims = np.where(better[..., None], candidate, self.claims)
+        self.errors = np.where(better, errors, self.errors)
+
+
+def claim_propagation(claims, errors, fixed, measure, distance):
+    """Take what the four neighbours at a distance suggest to the source patches."""
+    height, width = errors.shape
+    ys, xs = target_grid(height, width)
+    best = ClaimProposal(claims, errors, fixed, measure)
+    for dy, dx in ((0, distance), (distance, 0), (0, -distance), (-distance, 0)):
+        y, x = ys + dy, xs + dx
+        inside = (y >= 0) & (y < height) & (x >= 0) & (x < width)
+        neighbour = claims[np.clip(y, 0, height - 1), np.clip(x, 0, width - 1)]
+        best.offer(clamp_to_centres(neighbour - np.array([dy, dx]), fixed.shape, 0), inside)
+    return best.claims, best.errors
+
+
+def claim_search(claims, errors, fixed, measure, stream):
+    """Take random target pixels around the claim, at growing distances."""
+    best = ClaimProposal(claims, errors, fixed, measure)
+    k = 0
+    while 2**k <= max(fixed.shape) // 2:
+        words = draw_grid(stream, *errors.shape, k // 2)
+        first = 0 if k % 2 == 0 else 2
+        y = draw_between(words[..., first], claims[..., 0], 2**k, 0, fixed.shape[0])
+        x = draw_between(words[..., first + 1], claims[..., 1], 2**k, 0, fixed.shape[1])
+        best.offer(np.stack([y, x], axis=-1), np.ones(errors.shape, bool))
+        k += 1
+    return best.claims, best.errors
+
+
+def improve_claims(claims, errors, fixed, measure, stream):
+    """Propagate the claims at 4, 2 and 1 and search at random, each result taken at once."""
+    for distance in (4, 2, 1):
+        claims, errors = claim_propagation(claims, errors, fixed, measure, distance)
+    return claim_search(claims, errors, fixed, measure, stream)
+
+
+def spend_budget(claims, errors, fixed, share):
+    """Give last_error and last_claims; nothing where all claimed pixels are fixed."""
+    free = np.sort(errors[~fixed[claims[..., 0], claims[..., 1]]])
+    if free.size == 0:
+        return None
+    kept = free[: budget(free, share)]
+    return kept[-1], int((kept == kept[-1]).sum())
+
+
+def settle(claims, errors, fixed, limits, nnf, delta_values, radius, last_error, last_claims):
+    """Let the target pixels take source patches; tell which took one."""
+    nnf, delta_values = nnf.copy(), delta_values.copy()
+    claimed = np.zeros(fixed.shape, bool)
+    for place in np.ndindex(errors.shape):
+        pixel, error = tuple(claims[place]), errors[place]
+        if fixed[pixel] or error > last_error:
+            continue
+        if error == last_error:
+            if last_claims == 0:
+                continue
+            last_claims -= 1
+        if error > limits[pixel]:
+            continue
+        if not claimed[pixel] or error < delta_values[pixel]:
+            nnf[pixel] = np.array(place) + radius
+            delta_values[pixel] = error
+            claimed[pixel] = True
+    return nnf, delta_values, claimed
+
+
+def stylit_search(source, target, weights, nnf, delta_values, radius, iterations, stylit,
+                  seed, level, vote_number):  # fmt: skip
+    """Search from target to source, then retrieve; count what each retrieval fixed."""
+    share, fixed_share, error_limit = stylit
+    source_shape, target_shape = source.shape[:2], target.shape[:2]
+
+    def measure(centres):
+        return delta(source, target, weights, centres, radius)
+
+    def measure_claims(claims):
+        return patch_delta(source, target, weights, claims, patches, radius)
+
+    _, omega_sums = occurrence(nnf, source_shape, radius)
+    for iteration in range(1, iterations + 1):
+        nnf, delta_values, omega_sums = patchmatch_iteration(
+            nnf, delta_values, omega_sums, 0, radius, measure, seed, level, vote_number, iteration
+        )
+    limits = error_limits(delta_values, error_limit)
+    taking_part = assigned_pixels(nnf)
+    fixed = ~taking_part
+
+    patches = source_centres(source_shape, radius)
+    grid_shape = patches.shape[:2]
+    claims = random_claims(grid_shape, target_shape, seed, level, vote_number)
+    errors = measure_claims(claims)
+    claims, errors = invert_nnf(nnf, delta_values, claims, errors, radius)
+
+    target_patches = int(taking_part.sum())
+    enough = 0.001 * float(min(target_patches, grid_shape[0] * grid_shape[1]))
+    counts = []
+    k = 0
+    while True:
+        for iteration in range(iterations * k + 1, iterations * (k + 1) + 1):
+            stream = make_stream(CLAIM_SEARCH, seed, level, vote_number, iteration)
+            claims, errors = improve_claims(claims, errors, fixed, measure_claims, stream)
+        claimed = np.zeros(target_shape, bool)
+        spent = spend_budget(claims, errors, fixed, share)
+        if spent is not None:
+            nnf, delta_values, claimed = settle(
+                claims, errors, fixed, limits, nnf, delta_values, radius, *spent
+            )
+        fixed = fixed | claimed
+        counts.append(int(claimed.sum()))
+        few = int((fixed & taking_part).sum()) < float(fixed_share) * float(target_patches)
+        if not (few and counts[-1] >= enough and iterations * (k + 2) < 65536):
+            return nnf, delta_values, counts
+        k += 1
+
+
+# --- 16. A lower bound of delta -----------------------------------------------------------------
+
+MOMENTS = {
+    3: ((1, 1, 1), (-1, 0, 1), (1, -2, 1)),
+    5: ((1, 1, 1, 1, 1), (-2, -1, 0, 1, 2), (2, -1, -2, -1, 2)),
+}
+GUIDE_DEGREES = ((0, 0),)
+STYLE_DEGREES = ((0, 0), (0, 1), (1, 0), (0, 2), (2, 0), (1, 1))
+
+
+def channel_bound(source, target, weight, nnf, radius, degrees):
+    """Bound the part of one channel by its moments."""
+    inner = min(2 * radius + 1, 5)
+    pixels = np.stack(target_grid(*nnf.shape[:2]), axis=-1)
+    centres = usable_centres(nnf, radius)
+    bound = np.zeros(nnf.shape[:2], np.int64)
+    for v, h in degrees:
+        p_v, p_h = MOMENTS[inner][v], MOMENTS[inner][h]
+        difference, norm = 0, 0
+        for dy, dx in offsets(inner // 2):
+            factor = p_v[dy + inner // 2] * p_h[dx + inner // 2]
+            ours, theirs = patch_values(source, target, pixels, centres, dy, dx)
+            difference = difference + factor * (ours - theirs)
+            norm += factor * factor
+        bound += (8 * int(weight)) // norm * difference * difference
+    return bound
+
+
+def lower_bound(source, target, weights, nnf, radius, n_g):
+    """Bound 8 delta of the assignments from below; 0 at -1."""
+    total = np.zeros(nnf.shape[:2], np.int64)
+    for c, weight in enumerate(weights):
+        degrees = GUIDE_DEGREES if c < n_g else STYLE_DEGREES
+        total += channel_bound(source[..., c], target[..., c], weight, nnf, radius, degrees)
+    return np.where(assigned_pixels(nnf), total, 0)
+
+
+# --- 17. Cases ----------------------------------------------------------------------------------
 
 
 def radius_of(p):
@@ -728,11 +955,11 @@ def stage_level(p, a):
     return {"style": style, "nnf": nnf, "omega": omega}
 
 
-def stage_run(p, a):
+def stage_run(p, a, stylit=None):
     """Stage of section 13."""
     unmasked = np.zeros(a["target_guides"].shape[:2], bool)
     mask = a["mask"] if p["masked"] else unmasked
-    image, nnf, omega = run(a["style"], a["source_guides"], a["target_guides"], mask, p)
+    image, nnf, omega = run(a["style"], a["source_guides"], a["target_guides"], mask, p, stylit)
     return {"image": image, "nnf": nnf, "omega": omega}
 
 
@@ -744,6 +971,48 @@ def stage_budget(p, a):
 def stage_knee(p, a):
     """Stage of section 14."""
     return {"x": knee(a["a"], a["b"])}
+
+
+def stage_lower_bound(p, a):
+    """Stage of section 16."""
+    bound = lower_bound(
+        a["source"], a["target"], a["weights"], a["nnf"], radius_of(p), p["guide_channels"]
+    )
+    return {"bound": bound}
+
+
+def stage_invert_nnf(p, a):
+    """Stage of section 15."""
+    claims, errors = invert_nnf(a["nnf"], a["delta"], a["claims"], a["errors"], radius_of(p))
+    return {"claims": claims, "errors": errors}
+
+
+def stage_settle(p, a):
+    """Stage of section 15."""
+    nnf, delta_values, claimed = settle(
+        a["claims"], a["errors"], a["fixed"], a["limits"], a["nnf"], a["delta"], radius_of(p),
+        p["last_error"], p["last_claims"],
+    )  # fmt: skip
+    return {"nnf": nnf, "delta": delta_values, "claimed": claimed}
+
+
+def stylit_of(p):
+    """List the parameters of StyLit's search."""
+    return p["budget"], p["fixed_share"], p["error_limit"]
+
+
+def stage_stylit_search(p, a):
+    """Stage of section 15."""
+    nnf, delta_values, counts = stylit_search(
+        a["source"], a["target"], a["weights"], a["nnf"], a["delta"], radius_of(p),
+        p["iterations"], stylit_of(p), int(p["seed"]), p["level"], p["vote"],
+    )  # fmt: skip
+    return {"nnf": nnf, "delta": delta_values, "fixed_counts": counts}
+
+
+def stage_stylit_run(p, a):
+    """Stage of section 15."""
+    return stage_run({**p, "uniformity": 0, "method": "ref"}, a, stylit_of(p))
 
 
 STAGES = {
@@ -767,6 +1036,11 @@ STAGES = {
     "run": stage_run,
     "budget": stage_budget,
     "knee": stage_knee,
+    "lower_bound": stage_lower_bound,
+    "invert_nnf": stage_invert_nnf,
+    "settle": stage_settle,
+    "stylit_search": stage_stylit_search,
+    "stylit_run": stage_stylit_run,
 }
 
 OUTPUT_TYPES = {
@@ -792,6 +1066,11 @@ OUTPUT_TYPES = {
     "moves": np.int64,
     "count": np.int64,
     "x": np.float64,
+    "bound": np.int64,
+    "claims": np.int32,
+    "errors": np.int64,
+    "claimed": np.bool_,
+    "fixed_counts": np.int64,
 }
 
 
