@@ -11,7 +11,7 @@ SIZE ?= 1200x912
 PRESET ?= quick
 ARGS ?=
 
-.PHONY: eval schedules epsilon stylit spilling bench scenes test test-gpu ptx lint data help clean
+.PHONY: eval schedules epsilon stylit spilling bench scenes test test-gpu ptx wheel lowest lint data help clean
 
 eval: $(VENV)/$(if $(SCHEDULER),cluster,eval).installed ## tables and figures of the thesis: PRESET, SCHEDULER, ARGS="--scene DIR"
 	$(BIN)/python -m eval thesis --preset "$(PRESET)" $(if $(SCHEDULER),--scheduler "$(SCHEDULER)") $(ARGS)
@@ -49,6 +49,24 @@ test-gpu: $(VENV)/gpu.installed $(VENV)/test.installed ## tests of the CUDA kern
 
 ptx: .venv-ptx/ptx.installed ## every CUDA kernel compiled, no GPU needed
 	.venv-ptx/bin/python -m eval.ptx_report
+
+DIST := build/dist
+TRY = rm -rf build/try && mkdir -p build/try && cd build/try && PATH="$(abspath $(1))/bin:$$PATH" && \
+	command=$$(stylit-ref example scenes) && eval "$$command --preset fast"
+
+wheel: $(VENV)/wheel.installed ## wheel and source, installed into an empty environment, and the example run
+	rm -rf $(DIST) build/empty
+	$(BIN)/python -m build --outdir $(DIST)
+	$(PYTHON) -m venv build/empty
+	build/empty/bin/python -m pip install --quiet --disable-pip-version-check $(DIST)/*.whl
+	$(call TRY,build/empty)
+
+lowest: wheel ## the same with the least versions that pyproject.toml admits, and the oracle
+	rm -rf build/lowest
+	$(BIN)/uv venv --quiet --python build/empty/bin/python build/lowest
+	$(BIN)/uv pip install --quiet --python build/lowest --resolution lowest-direct $(DIST)/*.whl
+	$(call TRY,build/lowest)
+	build/lowest/bin/stylit-ref oracle check
 
 lint: $(VENV)/lint.installed ## ruff and import contracts
 	$(BIN)/ruff check .
