@@ -11,7 +11,7 @@ SIZE ?= 1200x912
 PRESET ?= quick
 ARGS ?=
 
-.PHONY: eval schedules epsilon stylit spilling bench scenes test test-gpu ptx wheel lowest lint data help clean
+.PHONY: eval schedules epsilon stylit spilling bench scenes test test-gpu ptx docs wheel lowest lint data help clean
 
 eval: $(VENV)/$(if $(SCHEDULER),cluster,eval).installed ## tables and figures of the thesis: PRESET, SCHEDULER, ARGS="--scene DIR"
 	$(BIN)/python -m eval thesis --preset "$(PRESET)" $(if $(SCHEDULER),--scheduler "$(SCHEDULER)") $(ARGS)
@@ -72,6 +72,9 @@ lint: $(VENV)/lint.installed ## ruff and import contracts
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/lint-imports
+
+docs: $(VENV)/docs.installed ## the site, build/site/index.html: docs, notebooks, API, reports
+	$(BIN)/sphinx-build -W --keep-going --quiet -c docs . build/site
 
 %.installed: pyproject.toml
 	test -x $(@D)/bin/python || $(PYTHON) -m venv $(@D)

@@ -1,0 +1,61 @@
+"""The site, by ``make docs``; its source is the repository, so that pages stay where they are."""
+
+import re
+
+import numba
+
+numba.config.DISABLE_JIT = True  # formulae as the functions they were written as, with docstrings
+
+import stylit_ref  # noqa: E402
+from stylit_ref.kernel import LIBRARY_DIGEST  # noqa: E402
+
+project = "stylit-ref"
+author = copyright = "the stylit-ref developers"
+release = stylit_ref.__version__
+root_doc = "docs/index"
+
+include_patterns = [
+    "docs/**.md",
+    "notebooks/*.py",
+    "oracle/SPEC.md",
+    "README.md",
+    "reports/*/report.md",
+]
+exclude_patterns = [".*", "build", "data_gen", "tests"]  # not looked into at all
+
+extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinx.ext.viewcode"]
+myst_enable_extensions = ["dollarmath", "amsmath"]  # notebooks have formulas
+myst_heading_anchors = 3
+napoleon_google_docstring = False
+napoleon_use_ivar = True
+autodoc_member_order = "bysource"
+
+nb_custom_formats = {".py": ["jupytext.reads", {"fmt": "py:percent"}]}
+nb_execution_mode = "cache"
+nb_execution_cache_path = f"build/notebooks/{LIBRARY_DIGEST[:16]}"  # outputs of this code
+nb_execution_timeout = 600
+nb_execution_raise_on_error = True
+
+html_theme = "furo"
+html_title = "stylit-ref"
+templates_path = ["templates"]
+html_additional_pages = {"index": "redirect.html"}
+
+
+_LINK_TO_CODE = re.compile(r"\]\((?![^)]*notebooks/)([^):]+\.py)\)")
+
+
+def _download_code(app, page, text):
+    """A link to a Python file is a download: MyST would look for a notebook."""
+    text[0] = _LINK_TO_CODE.sub(r"](path:\1)", text[0])
+
+
+def _skip_alias(app, kind, name, member, skip, options):
+    """A named tuple's fields stand in its docstring."""
+    return skip or (getattr(member, "__doc__", None) or "").startswith("Alias for field")
+
+
+def setup(app):
+    """Called by Sphinx."""
+    app.connect("autodoc-skip-member", _skip_alias)
+    app.connect("source-read", _download_code)

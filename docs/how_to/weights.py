@@ -1,0 +1,34 @@
+"""The sheet of weights in choosing_parameters.md: ``python -m docs.how_to.weights``."""
+
+from pathlib import Path
+
+from eval.figures import contact_sheet
+from eval.runs import run
+from eval.scenes import load_scene
+from stylit_ref import Params
+
+INFLUENCES = (0.1, 0.5, 2, 8)
+HIGHLIGHTS = (0, 1, 4, 16)
+
+scene = load_scene("teapot/oil")
+highlight = scene.guide_names.index("LSE")
+
+
+def weighed(weight):
+    """Weights of all guides with LSE's."""
+    return tuple(weight if k == highlight else 1.0 for k in range(len(scene.guide_names)))
+
+
+rows = [
+    [("style", scene.style)]
+    + [
+        (f"--guide-influence {value:g}", run(scene, Params(guide_influence=value), 0).image)
+        for value in INFLUENCES
+    ],
+    [("target, FULL", scene.shown_guide)]
+    + [
+        (f"LSE: --weight {value:g}", run(scene, Params(guide_weights=weighed(value)), 0).image)
+        for value in HIGHLIGHTS
+    ],
+]
+contact_sheet(Path(__file__).with_suffix(".webp"), rows)

@@ -1,0 +1,247 @@
+"""Every command of README and docs is run; what cannot be says why in its own fence.
+
+A fence's first word is its language, the rest how it is run: ``sh`` in bash, ``python`` by the
+interpreter, ``sh dry-run`` with make printing its commands only, ``sh not-run: REASON`` not at all.
+A ``text`` fence after one holds lines that it must print. The blocks of a page run one after
+another in one shell, in a folder that links to the repository.
+"""
+
+import os
+import re
+import signal
+import socket
+import subprocess
+import sys
+from functools import cache
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+from exr_files import write_exr
+from markdown_it import MarkdownIt
+from skimage.io import imsave
+
+from data_gen.guides import LIGHT_PASSES
+from data_gen.multilayer_exr import write_layers
+from data_gen.renderer import MissingRendererError, start
+from stylit_ref import read_uint8
+from stylit_ref.bit_depth import to_linear
+
+ROOT = Path(__file__).parents[2]
+PAGES = [
+    str(file.relative_to(ROOT)) for file in (ROOT / "README.md", *sorted(ROOT.glob("docs/**/*.md")))
+]
+LANGUAGES = ("sh", "python")
+RUN, DRY_RUN, RENDERS = "", "dry-run", "renders"
+NOT_RUN = ("not-run: installs packages", "not-run: needs a GPU")
+HELP = {
+    "stylit-ref run": "stylit_ref.cli run",
+    "python -m eval": "eval",
+    "python -m data_gen": "data_gen",
+}
+"""Commands whose flags can be asked for without running them, and the module that tells."""
+
+
+class Block(NamedTuple):
+    """A fence: what it holds, how it is run, and lines that it must print."""
+
+    language: str
+    how: str
+    code: str
+    printed: list[str]
+
+
+def blocks_of(page):
+    """The blocks of a page that are commands."""
+    fences = [
+        token
+        for token in MarkdownIt().parse((ROOT / page).read_text(encoding="utf-8"))
+        if token.type == "fence"
+    ]
+    following = [*fences[1:], None]
+    for fence, after in zip(fences, following, strict=True):
+        language, _, how = fence.info.strip().partition(" ")
+        if language in LANGUAGES:
+            printed = after.content.splitlines() if after and after.info == "text" else []
+            yield Block(language, how, fence.content, printed)
+
+
+@pytest.fixture
+def scratch(tmp_path):
+    """The repository as a reader's folder with an environment; what is written stays here."""
+    for entry in ROOT.iterdir():
+        if entry.name not in ("build", "reports") and not entry.name.startswith("."):
+            (tmp_path / entry.name).symlink_to(entry)
+    environment = tmp_path / ".venv"
+    (environment / "bin").mkdir(parents=True)
+    (environment / "bin" / "activate").touch()
+    python = environment / "bin" / "python"
+    python.write_text(f'#!/bin/sh\nexec "{sys.executable}" "$@"\n', encoding="utf-8")
+    python.chmod(0o755)
+    (environment / "cluster.installed").touch()
+    (tmp_path / "build").mkdir()
+    return tmp_path
+
+
+def small(name):
+    """Every third pixel of a bundled image."""
+    return read_uint8(ROOT / "data_gen" / "bundled" / name)[::3, ::3]
+
+
+def passes_of_blender(scratch):
+    """Renders as Blender names their layers, and a painting."""
+    names = {"Combined": "FULL", "DiffDir": "LDE", "GlossDir": "LSE", "DiffInd": "LDDE"}
+    for file, scene in (("sphere", "source"), ("golem", "golem")):
+        channels = {}
+        for layer, guide in names.items():
+            image = to_linear(small(f"{scene}/{guide}.png"))
+            channels |= {f"ViewLayer.{layer}.{c}": image[..., k] for k, c in enumerate("RGB")}
+        channels |= {f"ViewLayer.DiffCol.{c}": 0.5 for c in "RGB"}
+        ids = small(f"{scene}/IDMASK.png") / 255
+        channels |= {f"ViewLayer.ID.{c}": ids[..., k] for k, c in enumerate("RGB")}
+        write_exr(scratch / f"{file}.exr", channels, ids.shape[:2])
+    imsave(scratch / "painted.png", small("source/styles/oil.png"), check_contrast=False)
+
+
+def rendered_passes(scratch):
+    """Layers where ``make data`` puts them, and the files beside."""
+    for scene in ("source", "teapot"):
+        folder = scratch / "build/data/300x228" / scene
+        folder.mkdir(parents=True)
+        layers = {name: to_linear(small(f"{scene}/{name}.png")) for name in LIGHT_PASSES}
+        write_layers(folder / "passes.exr", layers)
+    styles = scratch / "build/data/300x228/source/styles"
+    styles.mkdir()
+    imsave(styles / "oil.png", small("source/styles/oil.png"), check_contrast=False)
+
+
+def images_of_ebsynth(scratch):
+    """The example of ebsynth's own README: three guides and a style."""
+    for place, scene in (("source", "source"), ("target", "golem")):
+        for name, guide in (("fullgi", "FULL"), ("dirdif", "LDE"), ("indirb", "LDDE")):
+            image = small(f"{scene}/{guide}.png")
+            imsave(scratch / f"{place}_{name}.png", image, check_contrast=False)
+    imsave(scratch / "source_style.png", small("source/styles/oil.png"), check_contrast=False)
+
+
+PREPARED = {
+    "docs/how_to/renderer_passes.md": (passes_of_blender, rendered_passes),
+    "docs/how_to/from_ebsynth.md": (images_of_ebsynth,),
+}
+
+
+def here(page, code):
+    """A page's code with this machine in the places of a cluster's."""
+    if page != "docs/how_to/cluster.md":
+        return code
+    return code.replace("--port 8786", f"--host 127.0.0.1 --port {PORT}").replace(
+        "head:8786", f"127.0.0.1:{PORT}"
+    )
+
+
+def free_port():
+    """A port that nobody listens on."""
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
+
+
+PORT = free_port()
+
+
+def script(page, blocks):
+    """A page as a bash script, and a line before each block's output."""
+    lines = ["set -eo pipefail"]
+    for number, block in enumerate(blocks):
+        lines.append(f"echo '== block {number} =='")
+        code = here(page, block.code)
+        if block.language == "python":
+            lines += ["python - <<'END OF BLOCK'", code, "END OF BLOCK"]
+        elif block.how == DRY_RUN:
+            lines += ["export MAKEFLAGS=n", code, "unset MAKEFLAGS"]
+        elif block.how not in NOT_RUN:
+            lines.append(code)
+    return "\n".join(lines) + "\n"
+
+
+def run(page, blocks, folder):
+    """What each block of a page prints."""
+    environment = os.environ | {
+        "PATH": f"{folder}/.venv/bin:{Path(sys.executable).parent}:{os.environ['PATH']}",
+        "PYTHONPATH": os.pathsep.join(filter(None, [str(ROOT), os.environ.get("PYTHONPATH")])),
+    }
+    log = folder / "build" / "log"
+    with log.open("wb") as output:
+        shell = subprocess.Popen(
+            ["bash", "-c", script(page, blocks)],
+            cwd=folder, env=environment, stdin=subprocess.DEVNULL,
+            stdout=output, stderr=subprocess.STDOUT, start_new_session=True,
+        )  # fmt: skip
+        try:
+            code = shell.wait(timeout=300)
+        finally:  # what a page started in the background ends with it
+            os.killpg(shell.pid, signal.SIGKILL)
+    text = log.read_text(encoding="utf-8")
+    assert code == 0, f"{page}: exit code {code}:\n{text}"
+    return re.split(r"== block \d+ ==\n", text)[1:]
+
+
+@cache
+def flags_of(module):
+    """Every flag that the help of a command names."""
+    command = [sys.executable, "-m", *module.split(), "--help"]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
+    return set(re.findall(r"--[a-z-]+", done.stdout))
+
+
+def check_flags(text):
+    """Commands that are only shown have the flags they are shown with."""
+    for line in text.replace("\\\n", " ").splitlines():
+        for command, module in HELP.items():
+            if f"{command} " in line:
+                assert set(re.findall(r"--[a-z-]+", line)) <= flags_of(module), line
+
+
+@pytest.mark.parametrize("page", [page for page in PAGES if list(blocks_of(page))])
+def test_the_commands_of_a_page_run(page, scratch):
+    blocks = list(blocks_of(page))
+    if any(block.how == RENDERS for block in blocks):
+        try:
+            start()
+        except MissingRendererError:
+            blocks = [block for block in blocks if block.how != RENDERS]
+    for prepare in PREPARED.get(page, ()):
+        prepare(scratch)
+    outputs = run(page, blocks, scratch)
+    for block, output in zip(blocks, outputs, strict=True):
+        said = iter(output.splitlines())
+        for line in block.printed:
+            assert any(line == found.rstrip() for found in said), f"{line!r} is not in\n{output}"
+        if block.how == DRY_RUN:
+            check_flags(output)
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_what_is_not_run_says_why(page):
+    for block in blocks_of(page):
+        assert block.how in (RUN, DRY_RUN, RENDERS, *NOT_RUN), block
+        if block.how == DRY_RUN:
+            lines = block.code.splitlines()
+            assert all(line.startswith(("make ", "#")) for line in lines), block
+        if block.how in NOT_RUN:
+            check_flags(block.code)
+
+
+def test_every_reason_for_not_running_is_in_use():
+    found = {block.how for page in PAGES for block in blocks_of(page)}
+    assert found == {RUN, DRY_RUN, RENDERS, *NOT_RUN}
+
+
+def test_every_flag_on_the_page_on_ebsynth_is_there():
+    page = (ROOT / "docs/how_to/from_ebsynth.md").read_text(encoding="utf-8")
+    assert set(re.findall(r"`(--[a-z-]+)", page)) <= flags_of("stylit_ref.cli run")
+    theirs = (
+        "style", "guide", "weight", "output", "uniformity", "patchsize", "pyramidlevels",
+        "searchvoteiters", "patchmatchiters", "extrapass3x3", "stopthreshold", "backend",
+    )  # fmt: skip
+    assert set(re.findall(r"^\| `-([a-z0-9]+)", page, re.MULTILINE)) == set(theirs)
