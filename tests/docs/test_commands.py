@@ -124,7 +124,18 @@ def images_of_ebsynth(scratch):
     imsave(scratch / "source_style.png", small("source/styles/oil.png"), check_contrast=False)
 
 
+def own_images(scratch):
+    """A painting and the renders it belongs to."""
+    for name, image in (
+        ("painted", "source/styles/oil"),
+        ("sphere", "source/FULL"),
+        ("scene", "golem/FULL"),
+    ):
+        imsave(scratch / f"{name}.png", small(f"{image}.png"), check_contrast=False)
+
+
 PREPARED = {
+    "README.md": (own_images,),
     "docs/how_to/renderer_passes.md": (passes_of_blender, rendered_passes),
     "docs/how_to/from_ebsynth.md": (images_of_ebsynth,),
 }
