@@ -28,6 +28,7 @@
 # are tiny.
 
 # %%
+# ruff: noqa: E402
 import os
 import subprocess
 import sys
@@ -323,9 +324,14 @@ def run(schedule, uniformity):
 
 
 results = {
-    (schedule, uniformity): run(schedule, uniformity)
-    for schedule in ("scanline", "frozen", "propose_commit")
-    for uniformity in (0, 15000)
+    key: run(*key)
+    for key in (
+        ("frozen", 0),
+        ("propose_commit", 0),
+        ("scanline", 15000),
+        ("frozen", 15000),
+        ("propose_commit", 15000),
+    )
 }
 np.testing.assert_array_equal(
     results["frozen", 0].image, results["propose_commit", 0].image, "without λ nothing can freeze"

@@ -126,10 +126,10 @@ for ax in axes:
     ax.axis("off")
 
 # %% [markdown]
-# The right picture lies over the style, pixel by pixel. Bright patches are those of which even
-# the closest target patch is far: look which parts of the sphere the teapot has no counterpart
-# for, and note that strokes of the wall, where the target's picture has become smooth, are not
-# dark either.
+# The right picture lies over the style, pixel by pixel. Bright are patches of which even the
+# closest target patch is far. The white highlight is the brightest: the picture in the middle has
+# lost it, so there is nothing white to go to. Then comes the outline of the sphere, which curves
+# and shades as no outline of the teapot does. Most of wall and floor has found its like.
 
 # %% [markdown]
 # ## Budget and knee
@@ -167,23 +167,26 @@ print(f"a = {a:.2f}, b = {b:.2f}, knee at x = {x_k:.3f}")
 print(f"budget: {spent:.1%} of the sum of all errors buys {kept / len(errors):.1%} of the patches")
 
 x = np.linspace(0, 1, len(errors))
-fig, ax = plt.subplots(figsize=(6.5, 4.6), layout="constrained")
-ax.plot(x, errors / unit, linewidth=3, alpha=0.4, label="sorted errors")
-ax.plot(x, (a - b) / (a - b * x), color="tab:red", label="fitted hyperbola")
-height_k = (a - b) / (a - b * x_k)
-ax.plot(x, height_k + x - x_k, "--", color="gray", linewidth=1, label="slope 1")
-ax.plot(x_k, height_k, "o", color="black", label=f"knee, x = {x_k:.2f}")
-ax.fill_between(x[:kept], errors[:kept] / unit, alpha=0.15, label="budget T")
-ax.set(ylim=(0, 1.2), xlabel="x: rank of the correspondence", ylabel="error in units of f(1)")
-ax.set_aspect("equal")
-ax.legend(loc="upper left")
+f_k = (a - b) / (a - b * x_k)
+fig, axes = plt.subplots(1, 2, figsize=(10, 4.4), layout="constrained")
+for ax in axes:
+    ax.plot(x, errors / unit, linewidth=3, alpha=0.4, label="sorted errors")
+    ax.plot(x, (a - b) / (a - b * x), color="tab:red", label="fitted hyperbola")
+    ax.plot(x, f_k + x - x_k, "--", color="gray", linewidth=1, label="slope 1")
+    ax.plot(x_k, f_k, "o", color="black", label=f"knee, x = {x_k:.2f}")
+    ax.fill_between(x[:kept], errors[:kept] / unit, alpha=0.2, label="budget T")
+    ax.set_aspect("equal")
+    ax.set(xlabel="x: rank of the correspondence", ylabel="error in units of f(1)")
+axes[0].set(ylim=(0, 1.05), title="All errors of the retrieval")
+axes[1].set(xlim=(1 - 6 * f_k, 1), ylim=(0, 6 * f_k), title="The same about the knee")
+axes[0].legend(loc="upper left")
 plt.show()
 
 # %% [markdown]
 # The dashed line touches the hyperbola at the knee. What lies right of it costs much for few
-# patches, and is left out. Look also at how well, or badly, the hyperbola describes the errors:
-# it is a model of their shape, and the fit weighs down the largest ones so that a few of any size
-# do not decide.
+# patches, as the numbers say, and is left out. Look also at where the errors leave the red curve:
+# it is a model of their shape, and the fit weighs down the largest ones, so that a few of any
+# size do not decide.
 
 # %% [markdown]
 # ## Claims, and more retrievals
@@ -234,9 +237,12 @@ plt.show()
 
 # %% [markdown]
 # The first retrieval fixes most: each patch of the style goes where it fits best. Each further
-# one has fewer places to offer, its errors lie higher, and its knee moves along with them; the
-# budget is relative. Yellow patches on the left were the last to be given away, by source patches
-# that had lost or overpaid everywhere else. They are where StyLit's pictures are weakest.
+# one has fewer places to offer, and its curve lies higher. The budget is relative to the errors
+# of its own retrieval, so the late ones fix patches at errors that the first would have refused.
+#
+# Look at what was given away last or not at all: handle, lid and spout of the teapot, and edges.
+# There the style has nothing alike, and what sits there in the end is there for want of a better
+# place.
 
 # %% [markdown]
 # ## Beside the occurrence map
@@ -273,10 +279,11 @@ for name, result in results.items():
 # *richness* compares the energy of the fine detail with the style's (`eval/usage.py`,
 # `eval/sharpness.py`).
 #
-# Compare the bottom row first. At $\lambda = 0$ a few places of the style serve the whole
-# picture. The occurrence map spreads them evenly, as $\lambda$ asks. StyLit spreads them without
-# any $\lambda$, and keeps peaks where the unfixed rest has chosen freely. Then see what that does
-# to the strokes above.
+# Compare the bottom row first. At $\lambda = 0$ whole regions of the style are black: unused. The
+# occurrence map spreads the use evenly, as far as $\lambda$ asks for it. StyLit fills most of the
+# black without any $\lambda$, and keeps peaks, since the patches that no retrieval fixed have
+# chosen freely. Then compare the strokes above; and look at the top of the wall in StyLit's
+# picture, to which we come back.
 
 # %% [markdown]
 # ## What it takes
@@ -310,20 +317,21 @@ plt.show()
 # searches once between two votes, it searches as often as the left plot says, and once more for
 # $E_{best}$.
 #
-# The last fifth of the target takes most of the retrievals, as the right plot shows. A knee lies
-# between 0.75 and 1 here, so it is not the budget that holds it up; it is that many patches claim
-# the same few places.
+# The last fifth of the target takes most of the retrievals, as the right plot shows. The budget
+# does not hold it up: a knee lies between 0.75 and 1, so that most claims are within. But as the
+# list further up says, most claims of a late retrieval lose: many patches claim the same few
+# places.
 
 # %% [markdown]
 # ## Other budgets, and α
 #
 # Hauptfleisch (4.1.2) does without the fit: $T$ is a share of the sum of all errors, 0.9. And
 # since a budget is global, a correspondence may be cheap and still be much worse than what its
-# target patch could have. So (2.4.1) a patch $q$ is not fixed with an error of more than
+# target patch could have. So (2.4.1) a patch $q$ is fixed only if
 #
-# $$E \le \alpha\, E_{best}(q),$$
+# $$E \le \alpha\, E_{best}(q)$$
 #
-# $\alpha = 5$. That is what the first search from target to source is good for.
+# with $\alpha = 5$. That is what the first search from target to source is good for.
 
 # %%
 variants = {
@@ -339,13 +347,23 @@ for ax, (name, result) in zip(axes, variants.items(), strict=True):
     ax.set_title(name)
     ax.axis("off")
     print(
-        f"{name:10} {step.retrieval} retrievals at last fix {step.fixed:.1%}; mean δ {step.delta:.0f}, "
-        f"{distinct_patches(result.nnf):.1%} distinct"
+        f"{name:10} {step.retrieval} retrievals at last fix {step.fixed:.1%}; "
+        f"mean δ {step.delta:.0f}, {distinct_patches(result.nnf):.1%} distinct"
     )
+by_share = correspondences_within_budget(errors, 0.9)
+print(
+    f"of the first retrieval further up 0.9 buys {by_share / len(errors):.1%}, the knee {x_k:.1%}"
+)
 
 # %% [markdown]
-# A smaller $\alpha$ refuses more, and the mean $\delta$ shows it: the refused patches keep their
-# closest match. In the limit nothing is fixed that is not the best already, and one is back at
+# Look at the top of the wall. With the knee alone, paint of the floor has got there: its error is
+# small beside others of that retrieval, and large beside what this piece of wall could have had.
+# The budget makes the first comparison, $\alpha$ the second, and with $\alpha = 5$ the wall is
+# clean.
+#
+# A budget of 0.9 buys nearly everything here. The highlight comes back with it, and so does what
+# has no business on the wall; the mean $\delta$ pays. A small $\alpha$ goes the other way: it
+# refuses more, refused patches keep their closest match, and $\delta$ falls towards that of
 # $\lambda = 0$.
 #
 # ## Exercises
@@ -359,7 +377,7 @@ for ax, (name, result) in zip(axes, variants.items(), strict=True):
 
 # %% tags=["hide-input"]
 def my_knee(a, b):
-    # f' / f(1) = b (a - b) / (a - b x)^2 = 1; at x = 1 it is b / (a - b), at most 1 if a < 2 (a - b)
+    # f' / f(1) = b (a - b) / (a - b x)^2 = 1, and beyond x = 1 where b < a - b
     return min((a - np.sqrt(b * (a - b))) / b, 1.0) if b > 0 else 1.0
 
 
@@ -384,9 +402,8 @@ def within_share(errors, share):
 # %%
 for sorted_errors in curves:
     for share in (1e-9, 0.1, 0.5, 0.9):
-        assert within_share(sorted_errors, share) == correspondences_within_budget(
-            sorted_errors, share
-        )
+        expected = correspondences_within_budget(sorted_errors, share)
+        assert within_share(sorted_errors, share) == expected
 zeros = np.zeros(5, np.int64)
 assert within_share(zeros, 0.9) == correspondences_within_budget(zeros, 0.9) == 5
 
