@@ -120,4 +120,4 @@ def nnf_colours(nnf, source_size):
         sRGB in [0, 1].
     """
     down, along = np.moveaxis(nnf / np.array(source_size), 2, 0)
-    return lab2rgb(np.stack([np.full_like(down, 65), 110 * along - 55, 110 * down - 55], axis=2))
+    return lab2rgb(np.stack([np.full_like(down, 70), 90 * along - 45, 90 * down - 45], axis=2))

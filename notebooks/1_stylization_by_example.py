@@ -91,9 +91,9 @@ for column, name in enumerate(scene.guide_names):
 plt.show()
 
 # %% [markdown]
-# Compare the columns. LSE is black but for the highlights: one on the sphere, many small ones on the
-# golem. LDE is black where the lamp is hidden, under the sphere and in its cast shadow. LDDE turns
-# the sphere round: it is bright below, where the white ground shines on it, and dark on top.
+# Compare the columns. LSE is black but for the highlights: one on the sphere, many small ones on
+# the golem. LDE is black where the lamp is hidden, under the sphere and in its cast shadow. LDDE
+# turns the sphere round: it is bright below, where the white ground shines on it, and dark on top.
 #
 # ## Why one guide is not enough
 #
@@ -139,20 +139,21 @@ plt.show()
 
 # %% [markdown]
 # The table says how far each guide of the target is from the source's guide at the assigned pixel,
-# on average, in 8-bit steps. With FULL alone FULL matches better and the other four match worse. At
-# the bottom left of the lower pictures the ground has the paint of the wall: both are grey there, and
-# nothing else was asked. Even five guides do not tell every ground from every wall; a guide that
-# names the objects would (thesis 5.2.4).
+# on average, in 8-bit steps. With FULL alone FULL matches better and the other four match worse.
+# At the bottom left of the lower pictures the ground has the paint of the wall: both are grey
+# there, and nothing else was asked. Even five guides do not tell every ground from every wall; a
+# guide that names the objects would (thesis 5.2.4).
 #
 # ## What comes out: a nearest-neighbour field
 #
-# The output is made of the style's own patches, squares of $w \times w$ pixels, $w = 5$. Which patch
-# goes where is the *nearest-neighbour field* (2.1):
+# The output is made of the style's own patches, squares of $w \times w$ pixels, $w = 5$. Which
+# patch goes where is the *nearest-neighbour field* (2.1):
 #
 # $$\mathrm{NNF}(P) = \arg\min_{Q \in \mathcal{N}_{\bar A}} \varphi(P, Q)$$
 #
 # For every patch $P$ of the target it names a patch $Q$ of the source, the closest by a metric
-# $\varphi$. As a picture, each target pixel gets the colour that the key shows at its source pixel.
+# $\varphi$. As a picture, each target pixel gets the colour that the key shows at its source
+# pixel.
 
 # %%
 height, width = scene.style.shape[:2]
@@ -175,7 +176,8 @@ plt.show()
 # pieces of a sphere can.
 
 # %%
-print("the style again is the output:", np.array_equal(replay(result.nnf, scene.style), result.image))
+again = replay(result.nnf, scene.style)
+print("the style again is the output:", np.array_equal(again, result.image))
 
 fig, axes = plt.subplots(1, 3, figsize=(11, 3), layout="constrained")
 watercolour = load_scene("golem/watercolour").style
@@ -194,8 +196,8 @@ plt.show()
 # + \frac{1}{n_s} \sum_{\text{style}} (f^P - f^Q)^2$$
 #
 # The guides' part asks whether the patch shows the right light. The style's part asks whether it
-# fits the paint that is already there. $\mu$ decides between them; the thesis takes 2. What happens
-# at the ends?
+# fits the paint that is already there. $\mu$ decides between them; the thesis takes 2. What
+# happens at the ends?
 
 # %%
 fig, axes = plt.subplots(1, 3, figsize=(11, 3), layout="constrained")
@@ -219,9 +221,10 @@ plt.show()
 #
 # ### Light adds up
 #
-# LD12E is said to be LDE and LDDE together. Light adds up, but the guides hold *display* values: the
-# sRGB curve has been applied to the light. `to_linear` takes it off and `to_uint8` puts it on again.
-# Write `together(lde, ldde)` for two 8-bit guides.
+# LD12E is said to be LDE and LDDE together. Light adds up, but the guides hold *display* values:
+# the sRGB curve has been applied to the light. `to_linear` takes it off and `to_uint8` puts it on
+# again. Write `together(lde, ldde)` for two 8-bit guides.
+
 
 # %% tags=["hide-input"]
 def together(lde, ldde):
@@ -240,8 +243,9 @@ print(f"{off.mean():.2f} 8-bit steps off on average, {off.max()} at most")
 #
 # Patches are there for the strokes. To see what happens without them, give every target pixel the
 # colour of the source pixel whose 15 guide values are closest, each pixel by itself. Write
-# `lookup(source_guides, target_guides)`, which returns the NNF of it, (H, W, 2). `cKDTree` of SciPy
-# finds nearest neighbours.
+# `lookup(source_guides, target_guides)`, which returns the NNF of it, (H, W, 2). `cKDTree` of
+# SciPy finds nearest neighbours.
+
 
 # %% tags=["hide-input"]
 def lookup(source_guides, target_guides):
@@ -268,6 +272,6 @@ show(axes[1], result.image, "by patches")
 plt.show()
 
 # %% [markdown]
-# No choice of pixels has closer guides. Where the target is lit as the source is, high on the wall,
-# lookup copies whole strokes; on the golem and the ground it breaks them up, for a stroke is how a
-# pixel goes with its neighbours. The next notebook looks for patches.
+# No choice of pixels has closer guides. Where the target is lit as the source is, high on the
+# wall, lookup copies whole strokes; on the golem and the ground it breaks them up, for a stroke is
+# how a pixel goes with its neighbours. The next notebook looks for patches.
