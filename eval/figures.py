@@ -3,6 +3,7 @@
 import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
+from skimage.color import lab2rgb
 
 
 def contact_sheet(file, rows, tile=300):
@@ -98,3 +99,25 @@ def detailed_window(weights, share=0.25):
 def _window(shape, top, left, share):
     y, x = int(top * shape[0]), int(left * shape[1])
     return slice(y, y + int(share * shape[0])), slice(x, x + int(share * shape[1]))
+
+
+def nnf_colours(nnf, source_size):
+    """An NNF as a picture: from green to red along the source's rows, blue to yellow down them.
+
+    Equal lightness everywhere, so that only the place in the source tells in it. Coherent
+    areas come out as smooth shades, what jumps as edges.
+
+    Parameters
+    ----------
+    nnf : (H, W, 2) int
+        Source centres ``(y, x)``.
+    source_size : (int, int)
+        Rows and columns of the source.
+
+    Returns
+    -------
+    (H, W, 3) float64
+        sRGB in [0, 1].
+    """
+    down, along = np.moveaxis(nnf / np.array(source_size), 2, 0)
+    return lab2rgb(np.stack([np.full_like(down, 70), 90 * along - 45, 90 * down - 45], axis=2))
