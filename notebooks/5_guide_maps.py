@@ -4,7 +4,6 @@
 #     text_representation:
 #       extension: .py
 #       format_name: percent
-#       format_version: '1.3'
 #   kernelspec:
 #     display_name: Python 3
 #     language: python
@@ -12,7 +11,7 @@
 # ---
 
 # %% [markdown]
-# # 5 Guide maps: when means stand in for pixels
+# # 5. Guide maps: when means stand in for pixels
 #
 # Comparing two patches of $5 \times 5$ pixels with eighteen channels reads 450 bytes of each, and
 # a search does it millions of times. Guides are smooth renderings, so the thesis (section 5.2)
@@ -317,7 +316,12 @@ for search_radius in (1, 2, 4, 8, 16, 32, 64):
 fig, axes = plt.subplots(1, 2, figsize=(10, 4), layout="constrained")
 radii = list(shares)
 for name, values in zip(
-    ("λρ alone", "with sums of all channels", "with the style's moments too", "worse indeed (φ)"),
+    (
+        "λρ alone",
+        "with sums of all channels",
+        "with the style's moments too",
+        "no better, in full (φ)",
+    ),
     np.transpose(list(shares.values())),
     strict=True,
 ):
@@ -328,18 +332,19 @@ axes[0].set_title("Rejected without reading a pixel")
 axes[0].legend(loc="lower right", bbox_to_anchor=(1, 0.22))
 for values, name in zip(tightness[8], ("sums", "sums and the style's moments"), strict=True):
     axes[1].hist(values.ravel(), bins=50, range=(0, 1), histtype="step", label=name)
+axes[1].margins(y=0.35)
 axes[1].set(xlabel="bound over δ, candidates of radius 8", ylabel="pairs")
 axes[1].set_title("No bound beyond 1: δ is never overestimated")
 axes[1].legend()
 mean_shares = np.mean(list(shares.values()), axis=0)
 print(
-    "rejected by λρ {:.1%}, with sums {:.1%}, with moments {:.1%}; worse {:.1%}".format(
+    "rejected by λρ {:.1%}, with sums {:.1%}, with moments {:.1%}; no better {:.1%}".format(
         *mean_shares
     )
 )
 
 # %% [markdown]
-# The red line on the left is how many candidates are worse than what the pixel has: a perfect
+# The red line on the left is how many candidates are no better than what the pixel has: a perfect
 # bound would reject them all. Look at how much of the way to it each bound goes, and where: a
 # candidate from far away is mostly so bad that a handful of moments gives it away. On the right,
 # the more functions $b_k$, the nearer the bound comes to $\delta$, without ever reaching past it.
@@ -377,12 +382,13 @@ print(f"{bounded.take_moves()} moves with the bound, {unbounded.take_moves()} wi
 #
 # ## Exercises
 #
-# Replace the function in the first cell of each by your own and run the test below it; unfold the
-# solution only after yours passes the test.
+# Write a function of the same name in place of each solution, and unfold the solution only after
+# yours passes the test below it.
 #
-# **1. The comparison by means.** Write `guides_by_means(p, q, mu)` for two patches of guides,
-# arrays of shape $(w, w, n_g)$ and type uint8, in squared 8-bit steps. The test compares it with
-# the library's on real pairs.
+# ### The comparison by means
+#
+# Write `guides_by_means(p, q, mu)` for two patches of guides, arrays of shape $(w, w, n_g)$ and
+# type uint8, in squared 8-bit steps. The test compares it with the library's on real pairs.
 
 
 # %% tags=["hide-input"]
@@ -408,9 +414,11 @@ for place, p, q in patch_pairs(300):
     )
 
 # %% [markdown]
-# **2. A tighter bound.** Write `bound_with_slopes(p, q, mu)`: the comparison by means plus what a
-# vertical and a horizontal slope see, by Bessel's inequality. It must stay below $\delta$ and
-# come nearer to it than the means.
+# ### A tighter bound
+#
+# Write `bound_with_slopes(p, q, mu)`: the comparison by means plus what a vertical and a
+# horizontal slope see, by Bessel's inequality. It must stay below $\delta$ and come nearer to it
+# than the means.
 
 
 # %% tags=["hide-input"]
@@ -435,10 +443,12 @@ assert slopes_lose < 0.7 * means_lose
 print(f"slopes recover {1 - slopes_lose / means_lose:.0%} of what the means lose")
 
 # %% [markdown]
-# **3. Fooling the means.** Find two patches of one channel, $5 \times 5$, uint8: `p` flat, so
-# that it is white on every map, and `q` with the same mean, so that the means see no difference,
-# while $\delta$ is as large as can be. (12 pixels of 255 and 13 of 0 would have $\delta =
-# \frac{12 \cdot 13}{25}\, 255^2 = 405756$. Why is that out of reach? 403200 is not.)
+# ### Fooling the means
+#
+# Find two patches of one channel, $5 \times 5$, uint8: `p` flat, so that it is white on every
+# map, and `q` with the same mean, so that the means see no difference, while $\delta$ is as large
+# as can be. (12 pixels of 255 and 13 of 0 would have $\delta = \frac{12 \cdot 13}{25}\, 255^2 =
+# 405756$. Why is that out of reach? 403200 is not.)
 
 
 # %% tags=["hide-input"]

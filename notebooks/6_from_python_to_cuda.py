@@ -4,7 +4,6 @@
 #     text_representation:
 #       extension: .py
 #       format_name: percent
-#       format_version: '1.3'
 #   kernelspec:
 #     display_name: Python 3
 #     language: python
@@ -12,7 +11,7 @@
 # ---
 
 # %% [markdown]
-# # 6 From Python to CUDA
+# # 6. From Python to CUDA
 #
 # On a GPU every target patch gets a thread of its own. The mathematics of a patch stays the same,
 # and so does the code: this notebook runs the same formulae in a loop of the CPU and in CUDA
@@ -182,7 +181,7 @@ def live_run():
 
 
 patient = sys.getswitchinterval()
-sys.setswitchinterval(1e-5)
+sys.setswitchinterval(1e-6)
 runs = [live_run() for _ in range(2)]
 sys.setswitchinterval(patient)
 
@@ -404,11 +403,13 @@ for threads in range(1, numba.config.NUMBA_NUM_THREADS + 1):
 #
 # ## Exercises
 #
-# Replace the function in the first cell of each by your own and run the test below it; unfold the
-# solution only after yours passes the test.
+# Write a function of the same name in place of each solution, and unfold the solution only after
+# yours passes the test below it.
 #
-# **1. Recount.** Write `recount(nnf, source_shape, w)`: $\Omega$ of an NNF, pixel by pixel of
-# every assigned patch. The test compares it with what the atomics left behind.
+# ### Recount
+#
+# Write `recount(nnf, source_shape, w)`: $\Omega$ of an NNF, pixel by pixel of every assigned
+# patch. The test compares it with what the atomics left behind.
 
 
 # %% tags=["hide-input"]
@@ -424,9 +425,11 @@ for nnf, omega in runs:
     np.testing.assert_array_equal(recount(nnf, omega.shape, 5), omega)
 
 # %% [markdown]
-# **2. One write for 25.** $W(Q)$ is $\Omega$ summed over the patch around $Q$. One more
-# assignment of the patch around $(y, x)$ changes $\Omega$ at 25 places; how much does it change
-# $W$ at $(y + d_y, x + d_x)$? Write `change_of_w(dy, dx, w)`.
+# ### One write for 25
+#
+# $W(Q)$ is $\Omega$ summed over the patch around $Q$. One more assignment of the patch around
+# $(y, x)$ changes $\Omega$ at 25 places; how much does it change $W$ at $(y + d_y, x + d_x)$?
+# Write `change_of_w(dy, dx, w)`.
 
 
 # %% tags=["hide-input"]
@@ -443,11 +446,13 @@ for w in (3, 5, 7):
     np.testing.assert_array_equal(mine, sums)
 
 # %% [markdown]
-# **3. A commit of your own.** Write `commit_class(nnf, delta, proposed_nnf, proposed_delta, sums,
-# weight, first_y, first_x)`: all pixels `[first_y::4, first_x::4]` decide at once, with $W$
-# (`sums`) as it stands; it changes `nnf` and `delta` and leaves `sums` alone. The test runs it
-# for the sixteen classes in the library's order, counting $W$ anew after each, and compares with
-# the commit of the CPU and of the device.
+# ### A commit of your own
+#
+# Write `commit_class(nnf, delta, proposed_nnf, proposed_delta, sums, weight, first_y, first_x)`:
+# all pixels `[first_y::4, first_x::4]` decide at once, with $W$ (`sums`) as it stands; it changes
+# `nnf` and `delta` and leaves `sums` alone. The test runs it for the sixteen classes in the
+# library's order, counting $W$ anew after each, and compares with the commit of the CPU and of
+# the device.
 
 
 # %% tags=["hide-input"]

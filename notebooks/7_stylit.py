@@ -4,7 +4,6 @@
 #     text_representation:
 #       extension: .py
 #       format_name: percent
-#       format_version: '1.3'
 #   kernelspec:
 #     display_name: Python 3
 #     language: python
@@ -12,7 +11,7 @@
 # ---
 
 # %% [markdown]
-# # 7 StyLit: the style looks for its place
+# # 7. StyLit: the style looks for its place
 #
 # Everything so far searched from target to source: each target patch takes the source patch it
 # likes best, and an occurrence map keeps them from liking the same ones. StyLit (Fišer et al.
@@ -368,11 +367,13 @@ print(
 #
 # ## Exercises
 #
-# Replace the function in the first cell of each by your own and run the test below it; unfold the
-# solution only after yours passes the test.
+# Write a function of the same name in place of each solution, and unfold the solution only after
+# yours passes the test below it.
 #
-# **1. The knee.** Write `my_knee(a, b)` for $f(x) = (a - bx)^{-1}$: the $x$ at which the slope of
-# $f / f(1)$ is 1, and 1 where the curve is too flat to have one. Derive it; do not search for it.
+# ### The knee
+#
+# Write `my_knee(a, b)` for $f(x) = (a - bx)^{-1}$: the $x$ at which the slope of $f / f(1)$ is 1,
+# and 1 where the curve is too flat to have one. Derive it; do not search for it.
 
 
 # %% tags=["hide-input"]
@@ -390,8 +391,10 @@ slope = np.gradient((a - b) / (a - b * x), x)
 assert abs(np.interp(my_knee(a, b), x, slope) - 1) < 1e-2
 
 # %% [markdown]
-# **2. A budget as a share.** Write `within_share(errors, share)`: how many of the sorted errors,
-# from the smallest on, sum up to at most `share` of them all; at least one.
+# ### A budget as a share
+#
+# Write `within_share(errors, share)`: how many of the sorted errors, from the smallest on, sum up
+# to at most `share` of them all; at least one.
 
 
 # %% tags=["hide-input"]
@@ -408,11 +411,13 @@ zeros = np.zeros(5, np.int64)
 assert within_share(zeros, 0.9) == correspondences_within_budget(zeros, 0.9) == 5
 
 # %% [markdown]
-# **3. Settling claims.** Write `settle(claims, errors, kept)` for a first retrieval, all target
-# patches free. `claims[y, x]` is the target patch (its coordinates in the padded target) that the
-# source patch `(y, x)` claims at `errors[y, x]`; the `kept` smallest errors are within the
-# budget, of equal ones the first in the order of rows. Return a dictionary from target patch to
-# source patch, tuples both. The test compares it with what the first retrieval above has fixed.
+# ### Settling claims
+#
+# Write `settle(claims, errors, kept)` for a first retrieval, all target patches free. `claims[y,
+# x]` is the target patch (its coordinates in the padded target) that the source patch `(y, x)`
+# claims at `errors[y, x]`; the `kept` smallest errors are within the budget, of equal ones the
+# first in the order of rows. Return a dictionary from target patch to source patch, tuples both.
+# The test compares it with what the first retrieval above has fixed.
 
 
 # %% tags=["hide-input"]
