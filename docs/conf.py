@@ -23,11 +23,10 @@ include_patterns = [
 ]
 exclude_patterns = [".*", "build", "data_gen", "tests"]  # not looked into at all
 
-extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinx.ext.viewcode"]
+extensions = ["myst_nb", "numpydoc", "sphinx.ext.autodoc", "sphinx.ext.viewcode"]
 myst_enable_extensions = ["dollarmath", "amsmath"]  # notebooks have formulas
 myst_heading_anchors = 3
-napoleon_google_docstring = False
-napoleon_use_ivar = True
+numpydoc_show_class_members = False
 autodoc_member_order = "bysource"
 
 nb_custom_formats = {".py": ["jupytext.reads", {"fmt": "py:percent"}]}

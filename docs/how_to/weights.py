@@ -5,6 +5,7 @@ from pathlib import Path
 from eval.figures import contact_sheet
 from eval.runs import run
 from eval.scenes import load_scene
+from eval.sharpness import richness
 from stylit_ref import Params
 
 INFLUENCES = (0.1, 0.5, 2, 8)
@@ -19,16 +20,20 @@ def weighed(weight):
     return tuple(weight if k == highlight else 1.0 for k in range(len(scene.guide_names)))
 
 
+def shown(title, **params):
+    """A run and its title."""
+    image = run(scene, Params(**params), 0).image
+    return f"{title}, richness {richness(image, scene.style):.2f}", image
+
+
 rows = [
-    [("style", scene.style)]
-    + [
-        (f"--guide-influence {value:g}", run(scene, Params(guide_influence=value), 0).image)
-        for value in INFLUENCES
+    [
+        ("style", scene.style),
+        *(shown(f"--guide-influence {value:g}", guide_influence=value) for value in INFLUENCES),
     ],
-    [("target, FULL", scene.shown_guide)]
-    + [
-        (f"LSE: --weight {value:g}", run(scene, Params(guide_weights=weighed(value)), 0).image)
-        for value in HIGHLIGHTS
+    [
+        ("target, FULL", scene.shown_guide),
+        *(shown(f"LSE: --weight {value}", guide_weights=weighed(value)) for value in HIGHLIGHTS),
     ],
 ]
 contact_sheet(Path(__file__).with_suffix(".webp"), rows)
