@@ -16,9 +16,17 @@ def size(shape):
     return f"{shape[1]}x{shape[0]}"
 
 
+def as_array(array, name):
+    """The array, refused where it is a sequence of unlike parts."""
+    try:
+        return np.asarray(array)
+    except ValueError:
+        raise InputError(f"{name} is no array: its rows differ in length") from None
+
+
 def as_image(array, name):
     """The array as (H, W, n) uint8."""
-    array = np.asarray(array)
+    array = as_array(array, name)
     if array.dtype != np.uint8:
         raise InputError(f"{name} has dtype {array.dtype}; it must be uint8 (to_uint8 converts)")
     if array.ndim == 2:

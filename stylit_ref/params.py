@@ -131,6 +131,23 @@ class Params:
                 f"{LARGEST_WEIGHT:g}"
             )
 
+        self._simplify()
+
+    def _simplify(self):
+        """Python's own numbers in the place of NumPy's and fractions: one value, one repr."""
+        plain = {name: int(getattr(self, name)) for name in _COUNTS}
+        plain |= {name: float(getattr(self, name)) for name in _NUMBERS}
+        several = isinstance(self.votes, tuple)
+        plain["votes"] = tuple(map(int, self.votes)) if several else int(self.votes)
+        if self.guide_weights is not None:
+            plain["guide_weights"] = tuple(map(float, self.guide_weights))
+        if self.budget != "hyperbola":
+            plain["budget"] = float(self.budget)
+        if self.error_limit is not None:
+            plain["error_limit"] = float(self.error_limit)
+        for name, value in plain.items():
+            object.__setattr__(self, name, value)
+
     def votes_above(self, depth):
         """Votes of the level ``depth`` levels above the finest, coarser ones lying above."""
         if isinstance(self.votes, tuple):
@@ -160,6 +177,9 @@ HEEDED_BY = {
 """The methods that heed a parameter, where not all of them do."""
 
 LARGEST_WEIGHT = 1e12
+
+_COUNTS = "patch_width", "levels", "patchmatch_iterations", "vote_outliers"
+_NUMBERS = "uniformity", "guide_influence", "epsilon", "fixed_share"
 
 
 def _check_count(name, value, most):
