@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from stylit_ref.arrays import as_array
 from stylit_ref.errors import InputError
 from stylit_ref.formulae.patch_moments import BOUND_SCALE
 from stylit_ref.formulae.patch_penalization import omega_best
@@ -14,14 +15,6 @@ from stylit_ref.packing import ONE, occurrence_weight
 def size(shape):
     """``width x height`` of an array shape, as images are spoken of."""
     return f"{shape[1]}x{shape[0]}"
-
-
-def as_array(array, name):
-    """The array, refused where it is a sequence of unlike parts."""
-    try:
-        return np.asarray(array)
-    except ValueError:
-        raise InputError(f"{name} is no array: its rows differ in length") from None
 
 
 def as_image(array, name):

@@ -357,7 +357,7 @@ def _replay(options):
         nnf = np.array(np.lib.format.open_memmap(options.nnf, mode="r"), order="C")
     except OSError as error:
         raise InputError(f"{options.nnf}: cannot be read: {error.strerror}") from None
-    except (ValueError, EOFError) as error:
+    except Exception as error:  # whatever the text of a header brings NumPy's parser to
         raise InputError(f"{options.nnf}: is not a readable .npy file: {error}") from None
     check_distinct([options.output], [options.style, options.nnf])
     check_image_writable(options.output, style.shape[2])

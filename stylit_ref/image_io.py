@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 import OpenImageIO as oiio
 
+from stylit_ref.arrays import as_array
 from stylit_ref.bit_depth import to_linear, to_uint8
 from stylit_ref.errors import InputError
 from stylit_ref.output_file import check_writable, real_path, temporary_name, whole_file
@@ -117,7 +118,7 @@ def write_image(path, image):
         If the file cannot be written.
     """
     path = Path(path)
-    image = np.ascontiguousarray(image)
+    image = np.ascontiguousarray(as_array(image, f"{path}: the image"))
     image = image[:, :, None] if image.ndim == 2 else image
     if image.ndim != 3 or 0 in image.shape:
         raise InputError(
@@ -148,7 +149,8 @@ def write_image(path, image):
         output = oiio.ImageOutput.create(str(partial))
         written = output.open(str(partial), spec) and output.write_image(image)
         if not (output.close() and written):
-            raise InputError(f"{path}: cannot be written: {output.geterror() or oiio.geterror()}")
+            reason = _reason(output.geterror() or oiio.geterror())
+            raise InputError(f"{path}: cannot be written: {reason}")
         # Some writers fail without a word, on a full disk or for a size that they do not know.
         if not _reads_back(partial, image.shape):
             raise InputError(f"{path}: cannot be written: what was written cannot be read")
@@ -184,13 +186,20 @@ def check_image_writable(path, channels):
     check_writable(path)
     with temporary_name(real_path(path)) as probe:
         if not output.open(str(probe), oiio.ImageSpec(1, 1, channels, "uint8")):
-            raise InputError(f"{path}: cannot be written: {output.geterror()}")
+            raise InputError(f"{path}: cannot be written: {_reason(output.geterror())}")
         output.write_image(np.zeros((1, 1, channels), np.uint8))
         output.close()
 
 
 def _read(path):
     """Pixels of a file or layer and the number of their alpha channel, or None."""
+    try:
+        return _read_pixels(path)
+    except UnicodeDecodeError:  # of a channel's name, or of a message that quotes it
+        raise InputError(f"{path}: cannot be read: its header holds what is no text") from None
+
+
+def _read_pixels(path):
     file, layer = _split_layer(path)
     part, channels = _find_layer(file, layer)
     source = _open(file)
@@ -205,7 +214,7 @@ def _read(path):
     depth = _DEPTHS[str(spec.format)] if len(stored) == 1 else "float"
     pixels = _pixels(source, part, depth)
     if pixels is None:
-        raise InputError(f"{file}: cannot be read: {source.geterror()}")
+        raise InputError(f"{file}: cannot be read: {_reason(source.geterror())}")
     spec.set_format(depth)
     buffer = oiio.ImageBuf(spec)
     buffer.set_pixels(buffer.roi, pixels)
@@ -284,8 +293,13 @@ def _split_layer(path):
 def _open(file):
     image = oiio.ImageInput.open(str(file))
     if image is None:
-        raise InputError(f"{file}: cannot be read: {oiio.geterror()}")
+        raise InputError(f"{file}: cannot be read: {_reason(oiio.geterror())}")
     return image
+
+
+def _reason(said):
+    """The first line: more are advice, or the same again."""
+    return said.split("\n")[0].rstrip(".")
 
 
 def _check_size(file, spec):

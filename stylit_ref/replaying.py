@@ -5,7 +5,8 @@ from numbers import Integral
 
 import numpy as np
 
-from stylit_ref.checks import as_array, size
+from stylit_ref.arrays import as_array
+from stylit_ref.checks import size
 from stylit_ref.errors import InputError
 from stylit_ref.passes import replay_vote
 

@@ -8,8 +8,9 @@ from numbers import Integral
 import numba
 import numpy as np
 
+from stylit_ref.arrays import as_array
 from stylit_ref.backends import passes_of
-from stylit_ref.checks import as_array, as_image, check_guides, check_mask, check_range, fit_levels
+from stylit_ref.checks import as_image, check_guides, check_mask, check_range, fit_levels
 from stylit_ref.errors import InputError
 from stylit_ref.mask import active_patches, fill_masked
 from stylit_ref.packing import ONE, make_packing
