@@ -39,7 +39,7 @@ THESIS = [
 DATA = ["data_gen", "--size", "60x46", "--samples", "4", "--scenes", "teapot", "--folder", "set"]
 
 RUN_FULL = Listed(
-    "`run` on a full disk", "…: cannot be written: it may need 0.1 MiB and 0.0 MiB are free"
+    "`run` on a full disk", "…: cannot be written: it may need … MiB and … MiB are free"
 )
 RUN_STOPPED = Listed(
     "Ctrl-C or SIGTERM in the middle of `run`", "interrupted; no half-written file is left", 130
@@ -55,7 +55,8 @@ RUN_KILLED = Listed(
 DAMAGED_KERNELS = Listed("damaged files of compiled kernels", "compiled and kept anew", 0)
 FULL_FOR_KERNELS = Listed("no room for compiled kernels", "compiled by every process", 0)
 EVAL_FULL = Listed(
-    "`make eval` on a full disk", "build/runs/…: cannot be written: it may need … MiB are free"
+    "`make eval` on a full disk",
+    "build/runs/…: cannot be written: it may need … MiB and … MiB are free",
 )
 EVAL_STOPPED = Listed(
     "Ctrl-C or SIGTERM in the middle of `make eval`",
