@@ -3,6 +3,7 @@
 import argparse
 import math
 import re
+import signal
 import sys
 from pathlib import Path
 
@@ -72,4 +73,5 @@ def _count(text):
 
 
 if __name__ == "__main__":
+    signal.signal(signal.SIGTERM, signal.default_int_handler)  # ends it as Ctrl-C does
     sys.exit(main())

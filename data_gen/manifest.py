@@ -68,10 +68,10 @@ class Manifest:
         folder = Path(folder)
         try:
             content = json.loads((folder / NAME).read_text())
-            return cls(folder, content["recipe"], content["pieces"])
+            return cls(folder, dict(content["recipe"]), _pieces(content["pieces"]))
         except FileNotFoundError:
             raise DataError(f"{folder}: holds no {NAME}; make it with 'make data'") from None
-        except (ValueError, KeyError, TypeError):
+        except (ValueError, KeyError, TypeError, AttributeError):
             raise DataError(
                 f"{folder / NAME}: is no manifest of rendered data; remove the folder to begin anew"
             ) from None
@@ -148,8 +148,20 @@ class Manifest:
         self.folder.mkdir(parents=True, exist_ok=True)
         content = {"recipe": self.recipe, "pieces": dict(sorted(self.pieces.items()))}
         partial = self.folder / (NAME + ".partial")
-        partial.write_text(json.dumps(content, indent=1) + "\n")
-        os.replace(partial, self.folder / NAME)
+        try:
+            partial.write_text(json.dumps(content, indent=1) + "\n")
+            os.replace(partial, self.folder / NAME)
+        finally:
+            partial.unlink(missing_ok=True)
+
+
+def _pieces(content):
+    """Files by piece, all inside the folder: what is listed may be removed."""
+    for files in content.values():
+        for file, digest in files.items():
+            if Path(file).is_absolute() or ".." in Path(file).parts or not isinstance(digest, str):
+                raise ValueError(file)
+    return content
 
 
 def _version(name):

@@ -12,6 +12,7 @@ Layout of the folder::
 """
 
 import shutil
+from contextlib import contextmanager
 from pathlib import Path
 
 from skimage.io import imsave
@@ -71,24 +72,36 @@ def produce(folder, size, scenes=SCENES, samples=64, seed=0, exr=True):
     with tqdm(pieces, unit="piece", disable=None) as bar:
         for piece in bar:
             bar.set_description(piece)
-            partial = folder / "partial"
-            shutil.rmtree(partial, ignore_errors=True)
-            partial.mkdir()
-            if piece == "house/motion":
-                for name, layers in rendering.motion():
-                    write_layers(partial / f"{name}.exr", layers)
-            else:
-                layers = rendering.view(piece)
-                _write_view(
-                    partial, layers, LIMITS["house" if piece.startswith("house") else "stage"], exr
-                )
-                if piece == "source":
-                    _paint(partial / "styles", layers)
-            shutil.rmtree(folder / piece, ignore_errors=True)
-            (folder / piece).parent.mkdir(exist_ok=True)
-            partial.rename(folder / piece)
+            with _partial(folder) as partial:
+                _make(piece, partial, rendering, exr)
+                shutil.rmtree(folder / piece, ignore_errors=True)
+                (folder / piece).parent.mkdir(exist_ok=True)
+                partial.rename(folder / piece)
             manifest.add(piece)
     return pieces
+
+
+@contextmanager
+def _partial(folder):
+    """A folder for what is not finished, gone afterwards; one of a killed process goes first."""
+    partial = folder / "partial"
+    shutil.rmtree(partial, ignore_errors=True)
+    partial.mkdir()
+    try:
+        yield partial
+    finally:
+        shutil.rmtree(partial, ignore_errors=True)
+
+
+def _make(piece, folder, rendering, exr):
+    if piece == "house/motion":
+        for name, layers in rendering.motion():
+            write_layers(folder / f"{name}.exr", layers)
+        return
+    layers = rendering.view(piece)
+    _write_view(folder, layers, LIMITS["house" if piece.startswith("house") else "stage"], exr)
+    if piece == "source":
+        _paint(folder / "styles", layers)
 
 
 def _pieces(scenes):

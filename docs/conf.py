@@ -34,6 +34,7 @@ nb_execution_mode = "cache"
 nb_execution_cache_path = f"build/notebooks/{LIBRARY_DIGEST[:16]}"  # outputs of this code
 nb_execution_timeout = 600
 nb_execution_raise_on_error = True
+nb_output_stderr = "warn"  # a warning fails the build
 
 html_theme = "furo"
 html_title = "stylit-ref"

@@ -17,6 +17,7 @@ from eval.thesis.evaluation import evaluate
 from eval.thesis.plan import PRESETS, own_scene, preset
 from stylit_ref import InputError
 from stylit_ref.backends import BACKENDS
+from stylit_ref.interruption import heed_interruptions
 
 REPORTS_ON_A_SCENE = {
     "epsilon": epsilon_report,
@@ -90,6 +91,9 @@ def main(arguments=None):
     except InputError as error:
         print(f"eval: {error}", file=sys.stderr)
         return 2
+    except OSError as error:
+        print(f"eval: {error}", file=sys.stderr)
+        return 2
     except KeyboardInterrupt:
         print("eval: interrupted; finished runs are kept and not computed again", file=sys.stderr)
         return 130
@@ -114,4 +118,5 @@ def _thesis(options):
 
 
 if __name__ == "__main__":
+    heed_interruptions()
     sys.exit(main())

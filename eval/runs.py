@@ -18,6 +18,7 @@ from eval.image_analogies import ImageAnalogies, image_analogies
 from eval.scenes import Scene
 from stylit_ref import Params, Profile, stylize
 from stylit_ref.kernel import LIBRARY_DIGEST
+from stylit_ref.output_file import whole_file
 
 STORE = Path("build/runs")
 
@@ -79,6 +80,8 @@ class Run:
 
     Attributes
     ----------
+    key : str
+        Of the job it belongs to, wherever its file lies.
     image, nnf, omega : array
     seconds : float
         Wall time of ``stylize`` with the kernels compiled before.
@@ -94,6 +97,7 @@ class Run:
         A row for each :class:`stylit_ref.Step`.
     """
 
+    key: str
     image: np.ndarray
     nnf: np.ndarray
     omega: np.ndarray
@@ -159,7 +163,7 @@ def compute(job, progress=None):
         made = _stylize(job, progress)
     arrays, facts = made
     file = io.BytesIO()
-    facts |= {"made": circumstances()}
+    facts |= {"key": job.key, "made": circumstances()}
     np.savez_compressed(file, facts=json.dumps(facts), **arrays)
     return file.getvalue()
 
@@ -195,17 +199,17 @@ def _stylize(job, progress):
 def store(job, result):
     """Keep a result, whole or not at all."""
     STORE.mkdir(parents=True, exist_ok=True)
-    partial = job.file.with_suffix(".partial")
-    partial.write_bytes(result)
-    partial.rename(job.file)
+    with whole_file(job.file, len(result)) as partial:
+        partial.write_bytes(result)
 
 
 def stored(job):
     """The :class:`Run` of a job, or None if there is none that can be read."""
     try:
-        return _read(job.file, job.file.stat().st_mtime_ns)
+        run = _read(job.file, job.file.stat().st_mtime_ns)
     except OSError:
         return None
+    return run if run and run.key == job.key else None
 
 
 @lru_cache(maxsize=64)
@@ -226,6 +230,7 @@ def read(file):
             facts = json.loads(str(file["facts"]))
             count = sum(name.startswith("level_") for name in file.files)
             return Run(
+                key=facts["key"],
                 image=file["image"],
                 nnf=file["nnf"],
                 omega=file["omega"],

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from stylit_ref.arrays import as_array
 from stylit_ref.errors import InputError
 from stylit_ref.formulae.patch_moments import BOUND_SCALE
 from stylit_ref.formulae.patch_penalization import omega_best
@@ -18,7 +19,7 @@ def size(shape):
 
 def as_image(array, name):
     """The array as (H, W, n) uint8."""
-    array = np.asarray(array)
+    array = as_array(array, name)
     if array.dtype != np.uint8:
         raise InputError(f"{name} has dtype {array.dtype}; it must be uint8 (to_uint8 converts)")
     if array.ndim == 2:

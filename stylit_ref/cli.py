@@ -22,6 +22,7 @@ from stylit_ref.image_io import (
     read_uint8,
     write_image,
 )
+from stylit_ref.interruption import heed_interruptions
 from stylit_ref.output_file import check_distinct, check_folder, check_writable, whole_file
 from stylit_ref.params import HEEDED_BY, PRESETS, Params
 from stylit_ref.profiling import Profile
@@ -33,6 +34,7 @@ DEFAULTS = Params()
 
 def command():
     """Entry point of ``stylit-ref``."""
+    heed_interruptions()
     sys.exit(main())
 
 
@@ -51,6 +53,9 @@ def main(arguments=None):
     except InputError as error:
         name, space, rest = str(error).partition(" ")  # a parameter goes by its flag here
         print(f"stylit-ref: {_FLAGS.get(name, name)}{space}{rest}", file=sys.stderr)
+        return 2
+    except MemoryError:
+        print("stylit-ref: there is not enough memory for images of this size", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
         print("stylit-ref: interrupted; no half-written file is left", file=sys.stderr)
@@ -312,14 +317,14 @@ def _run(options):
     if levels:
         check_folder(levels)
     check_distinct(
-        [options.output, options.nnf, options.save_levels],
+        [options.output, options.nnf, options.save_levels, *_level_files(levels, params)],
         [options.style, options.mask, options.fill, *chain.from_iterable(options.guide)],
     )
 
     def save_level(level, image):
         if levels:
             levels.mkdir(parents=True, exist_ok=True)
-            write_image(levels / f"level_{level}.png", image)
+            write_image(levels / _LEVEL.format(level), image)
 
     with tqdm(total=1.0, disable=options.quiet or None, bar_format=_BAR, file=sys.stderr) as bar:
 
@@ -350,7 +355,8 @@ def _run(options):
     with profile.stage("writing images"):
         write_image(options.output, result.image)
         for level, white in enumerate(result.guide_maps if levels else (), 1):
-            write_image(levels / f"guide_map_{level}.png", white[:, :, None].astype(np.uint8) * 255)
+            image = white[:, :, None].astype(np.uint8) * 255
+            write_image(levels / _GUIDE_MAP.format(level), image)
         if options.nnf:
             _save_npy(options.nnf, result.nnf)
     if options.profile:
@@ -360,16 +366,25 @@ def _run(options):
 def _replay(options):
     style = read_image(options.style)
     try:
-        with open(options.nnf, "rb") as file:
-            nnf = np.lib.format.read_array(file, allow_pickle=False)
+        # Mapped first: the file is as long as its header says, before memory is taken.
+        nnf = np.array(np.lib.format.open_memmap(options.nnf, mode="r"), order="C")
     except OSError as error:
         raise InputError(f"{options.nnf}: cannot be read: {error.strerror}") from None
-    except (ValueError, EOFError) as error:
+    except Exception as error:  # whatever the text of a header brings NumPy's parser to
         raise InputError(f"{options.nnf}: is not a readable .npy file: {error}") from None
     check_distinct([options.output], [options.style, options.nnf])
     check_image_writable(options.output, style.shape[2])
     image = replay(nnf, style, patch_width=options.patch_width, scale=options.scale)
     write_image(options.output, image)
+
+
+_LEVEL, _GUIDE_MAP = "level_{}.png", "guide_map_{}.png"
+
+
+def _level_files(folder, params):
+    """What ``--save-levels`` may write."""
+    names = (_LEVEL, _GUIDE_MAP) if folder else ()
+    return [folder / name.format(k + 1) for name in names for k in range(params.levels)]
 
 
 _BAR = "{percentage:3.0f}% |{bar}| {elapsed}<{remaining}  {desc}"

@@ -12,12 +12,20 @@ from pathlib import Path
 import numpy as np
 import OpenImageIO as oiio
 
+from stylit_ref.arrays import as_array
 from stylit_ref.bit_depth import to_linear, to_uint8
 from stylit_ref.errors import InputError
-from stylit_ref.output_file import check_writable, temporary_name, whole_file
+from stylit_ref.output_file import check_writable, real_path, temporary_name, whole_file
 
 FLOAT_FORMATS = (".exr", ".hdr", ".pfm")
 """Files that hold scene-linear floating point."""
+
+LARGEST_IMAGE = 1 << 29
+"""Values (pixels times channels) that a file may declare: 9400x9400 with 6 channels.
+
+As floating point they take 2 GiB. More are refused before memory is taken: a file of a few bytes
+can declare any size.
+"""
 
 _CHANNEL_ORDER = "RGBXYZUVA"
 _DEPTHS = {"uint8": "uint8", "uint16": "uint16"} | dict.fromkeys(
@@ -42,7 +50,8 @@ def read_image(path):
     Raises
     ------
     InputError
-        If the file or layer is missing, cannot be read, or holds NaN or infinity.
+        If the file or layer is missing, cannot be read, declares more than
+        :data:`LARGEST_IMAGE` values, or holds NaN or infinity.
     """
     return _drop_opaque(*_read(path))[0]
 
@@ -109,7 +118,12 @@ def write_image(path, image):
         If the file cannot be written.
     """
     path = Path(path)
-    image = np.ascontiguousarray(np.atleast_3d(image))
+    image = np.ascontiguousarray(as_array(image, f"{path}: the image"))
+    image = image[:, :, None] if image.ndim == 2 else image
+    if image.ndim != 3 or 0 in image.shape:
+        raise InputError(
+            f"{path}: the image has shape {image.shape}; it must be (H, W) or (H, W, channels)"
+        )
     height, width, channels = image.shape
     if image.dtype not in (np.uint8, np.uint16, np.float32):
         raise InputError(
@@ -135,7 +149,11 @@ def write_image(path, image):
         output = oiio.ImageOutput.create(str(partial))
         written = output.open(str(partial), spec) and output.write_image(image)
         if not (output.close() and written):
-            raise InputError(f"{path}: cannot be written: {output.geterror() or oiio.geterror()}")
+            reason = _reason(output.geterror() or oiio.geterror())
+            raise InputError(f"{path}: cannot be written: {reason}")
+        # Some writers fail without a word, on a full disk or for a size that they do not know.
+        if not _reads_back(partial, image.shape):
+            raise InputError(f"{path}: cannot be written: what was written cannot be read")
 
 
 def check_image_writable(path, channels):
@@ -152,7 +170,7 @@ def check_image_writable(path, channels):
     """
     path = Path(path)
     output = oiio.ImageOutput.create(str(path))
-    if output is None:
+    if output is None or output.format_name() in ("null", "term"):  # they write no file
         oiio.geterror()
         raise InputError(
             f"{path}: no image format is known by the suffix '{path.suffix}'; "
@@ -166,27 +184,40 @@ def check_image_writable(path, channels):
             "an alpha channel; use .png, .tif or .exr"
         )
     check_writable(path)
-    with temporary_name(path) as probe:
+    with temporary_name(real_path(path)) as probe:
         if not output.open(str(probe), oiio.ImageSpec(1, 1, channels, "uint8")):
-            raise InputError(f"{path}: cannot be written: {output.geterror()}")
+            raise InputError(f"{path}: cannot be written: {_reason(output.geterror())}")
         output.write_image(np.zeros((1, 1, channels), np.uint8))
         output.close()
 
 
 def _read(path):
     """Pixels of a file or layer and the number of their alpha channel, or None."""
+    try:
+        return _read_pixels(path)
+    except UnicodeDecodeError:  # of a channel's name, or of a message that quotes it
+        raise InputError(f"{path}: cannot be read: its header holds what is no text") from None
+
+
+def _read_pixels(path):
     file, layer = _split_layer(path)
     part, channels = _find_layer(file, layer)
-    buffer = oiio.ImageBuf(str(file), part, 0)
-    stored = {str(buffer.spec().channelformat(channel)) for channel in channels}
+    source = _open(file)
+    source.seek_subimage(part, 0)
+    spec = source.spec()
+    stored = {str(spec.channelformat(channel)) for channel in channels}
     if not stored <= _DEPTHS.keys():
         raise InputError(
             f"{path}: holds {', '.join(sorted(stored))} values; "
             "8 or 16 bit integers or floating point are needed"
         )
-    depth = _DEPTHS[str(buffer.spec().format)] if len(stored) == 1 else "float"
-    if not buffer.read(part, 0, True, depth):
-        raise InputError(f"{file}: cannot be read: {buffer.geterror()}")
+    depth = _DEPTHS[str(spec.format)] if len(stored) == 1 else "float"
+    pixels = _pixels(source, part, depth)
+    if pixels is None:
+        raise InputError(f"{file}: cannot be read: {_reason(source.geterror())}")
+    spec.set_format(depth)
+    buffer = oiio.ImageBuf(spec)
+    buffer.set_pixels(buffer.roi, pixels)
     if buffer.roi != buffer.roi_full:
         buffer = oiio.ImageBufAlgo.crop(buffer, roi=buffer.roi_full)
     if buffer.orientation != 1:
@@ -203,6 +234,24 @@ def _read(path):
         )
     alpha_channel = names.index("A") if "A" in names and len(names) > 1 else None
     return np.ascontiguousarray(image), alpha_channel
+
+
+def _pixels(source, part, depth):
+    """All pixels of a part of an open file, or None.
+
+    Of a truncated JPEG the rest is made up, and the error alone tells.
+    """
+    pixels = source.read_image(part, 0, 0, source.spec().nchannels, depth)
+    return None if source.has_error else pixels
+
+
+def _reads_back(file, shape):
+    source = oiio.ImageInput.open(str(file))
+    if source is None:
+        oiio.geterror()
+        return False
+    pixels = _pixels(source, 0, str(source.spec().format))
+    return pixels is not None and pixels.shape[:2] == shape[:2]
 
 
 def _drop_opaque(image, alpha_channel):
@@ -229,6 +278,7 @@ def _displayed(path, image, alpha_channel):
 
 def _split_layer(path):
     """``file:LAYER`` into file and layer; a file of that whole name comes first."""
+    real_path(path)
     whole, (file, colon, layer) = Path(path), str(path).rpartition(":")
     if not whole.is_file() and colon and (Path(file).is_file() or Path(file).suffix):
         whole = Path(file)
@@ -238,6 +288,28 @@ def _split_layer(path):
         reason = "is a folder, not an image" if whole.is_dir() else "no such file"
         raise InputError(f"{whole}: {reason}")
     return whole, layer
+
+
+def _open(file):
+    image = oiio.ImageInput.open(str(file))
+    if image is None:
+        raise InputError(f"{file}: cannot be read: {_reason(oiio.geterror())}")
+    return image
+
+
+def _reason(said):
+    """The first line: more are advice, or the same again."""
+    return said.split("\n")[0].rstrip(".")
+
+
+def _check_size(file, spec):
+    """Refuse by what the file declares; its display window may exceed its pixels."""
+    for width, height in ((spec.width, spec.height), (spec.full_width, spec.full_height)):
+        if width * height * spec.nchannels > LARGEST_IMAGE:
+            raise InputError(
+                f"{file}: declares {width}x{height} pixels with {spec.nchannels} channels; "
+                f"at most {LARGEST_IMAGE} values are read"
+            )
 
 
 def _channel_name(name):
@@ -252,13 +324,12 @@ def _find_layer(file, layer):
     A layer is a prefix of channel names (``LDE.R``), or a named part of the file.
     Without a layer the unnamed channels are meant: the colours, if there are any.
     """
-    image = oiio.ImageInput.open(str(file))
-    if image is None:
-        raise InputError(f"{file}: cannot be read: {oiio.geterror()}")
+    image = _open(file)
     layers = {}
     part = 0
     while image.seek_subimage(part, 0):
         spec = image.spec()
+        _check_size(file, spec)
         part_name = spec.getattribute("name") or ""
         for number, name in enumerate(spec.channelnames):
             prefix, channel = _channel_name(name)

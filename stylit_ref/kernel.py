@@ -48,6 +48,20 @@ class _Cache(FunctionCache):
             self._cache_path, f"{self._impl.filename_base}-{identity}", LIBRARY_DIGEST
         )
 
+    def load_overload(self, *arguments):
+        """None also for a damaged file, which is emptied: it is compiled and kept anew."""
+        try:
+            return super().load_overload(*arguments)
+        except Exception:  # whatever a pickle of random bytes brings about
+            with suppress(OSError):
+                self._cache_file.flush()
+            return None
+
+    def save_overload(self, *arguments):
+        """What does not fit on the disk is not kept."""
+        with suppress(OSError):
+            super().save_overload(*arguments)
+
     def _index_key(self, signature, codegen):
         return signature, codegen.magic_tuple()
 

@@ -8,6 +8,27 @@ from pathlib import Path
 from stylit_ref.errors import InputError
 
 
+def real_path(path):
+    """Where a path leads, links followed.
+
+    Raises
+    ------
+    InputError
+        If no file can be there: too long a name, a link to itself, bytes that are no text.
+    """
+    try:
+        os.fsencode(path).decode()
+        place = Path(path).resolve()
+        place.exists()
+    except OSError as error:
+        raise InputError(f"{path}: cannot be a file: {error.strerror}") from None
+    except RuntimeError:
+        raise InputError(f"{path}: cannot be a file: it is a link to itself") from None
+    except ValueError:
+        raise InputError(f"{path!r}: cannot be a file: it is no text in UTF-8") from None
+    return place
+
+
 def check_writable(path):
     """Refuse a path where no file can be made.
 
@@ -15,12 +36,12 @@ def check_writable(path):
     ------
     InputError
     """
-    path = Path(path)
-    if not path.parent.is_dir():
-        raise InputError(f"{path}: the folder {path.parent} does not exist")
-    if path.is_dir():
+    place = real_path(path)
+    if not place.parent.is_dir():
+        raise InputError(f"{path}: the folder {place.parent} does not exist")
+    if place.is_dir():
         raise InputError(f"{path}: is a folder; name a file")
-    if not os.access(path.parent, os.W_OK) or (path.exists() and not os.access(path, os.W_OK)):
+    if not os.access(place.parent, os.W_OK) or (place.exists() and not os.access(place, os.W_OK)):
         raise InputError(f"{path}: cannot be written: permission denied")
 
 
@@ -73,10 +94,10 @@ def check_distinct(outputs, inputs=()):
     """
     taken = {}
     for path in filter(None, inputs):
-        file = Path(path) if Path(path).exists() else Path(str(path).rpartition(":")[0])
-        taken[file.resolve()] = "read too"
+        place = real_path(path)
+        taken[place if place.exists() else real_path(str(path).rpartition(":")[0])] = "read too"
     for path in filter(None, outputs):
-        place = Path(path).resolve()
+        place = real_path(path)
         if place in taken:
             raise InputError(f"{path}: is {taken[place]}; name another file")
         taken[place] = "named twice"
@@ -100,16 +121,16 @@ def whole_file(path, size):
     InputError
         If there is no room, or the file cannot be written.
     """
-    path = Path(path)
-    free = shutil.disk_usage(path.resolve().parent).free
-    if free < size:
-        raise InputError(
-            f"{path}: cannot be written: it may need {size / 2**20:.1f} MiB and "
-            f"{free / 2**20:.1f} MiB are free"
-        )
-    with temporary_name(path) as partial:
-        try:
+    path, place = Path(path), real_path(path)
+    try:
+        free = shutil.disk_usage(place.parent).free
+        if free < size:
+            raise InputError(
+                f"{path}: cannot be written: it may need {size / 2**20:.1f} MiB and "
+                f"{free / 2**20:.1f} MiB are free"
+            )
+        with temporary_name(place) as partial:
             yield partial
-            os.replace(partial, path.resolve())
-        except OSError as error:
-            raise InputError(f"{path}: cannot be written: {error.strerror}") from error
+            os.replace(partial, place)
+    except OSError as error:
+        raise InputError(f"{path}: cannot be written: {error.strerror or error}") from error

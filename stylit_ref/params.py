@@ -79,7 +79,7 @@ class Params:
     error_limit: float | None = None
 
     def __post_init__(self):
-        if self.method not in METHODS:
+        if not _is_one_of(self.method, METHODS):
             raise InputError(
                 f"method is {self.method!r}; it must be 'ref', 'shared_memory', 'guide_map' or "
                 "'stylit'"
@@ -89,7 +89,7 @@ class Params:
             raise InputError(f"patch_width is {width}; it must be an odd integer from 3 to 63")
         _check_count("levels", self.levels, 16)
         _check_count("patchmatch_iterations", self.patchmatch_iterations, 65535)
-        if np.ndim(self.votes) == 1 and len(self.votes):
+        if _is_sequence(self.votes) and len(self.votes):
             object.__setattr__(self, "votes", tuple(self.votes))
             for votes in self.votes:
                 _check_count("votes", votes, 65535)
@@ -98,12 +98,12 @@ class Params:
         for name in ("uniformity", "guide_influence"):
             _check_weight(name, getattr(self, name))
         if self.guide_weights is not None:
-            if np.ndim(self.guide_weights) != 1:
+            if not _is_sequence(self.guide_weights):
                 raise InputError(f"guide_weights is {self.guide_weights}; it must be a sequence")
             object.__setattr__(self, "guide_weights", tuple(self.guide_weights))
             for k, weight in enumerate(self.guide_weights, 1):
                 _check_weight(f"guide weight {k}", weight)
-        if self.schedule not in SCHEDULES:
+        if not _is_one_of(self.schedule, SCHEDULES):
             raise InputError(
                 f"schedule is {self.schedule!r}; it must be 'propose_commit', 'scanline', 'live' "
                 "or 'live_sums'"
@@ -120,7 +120,7 @@ class Params:
                 f"for patches of width {width}"
             )
         _check_weight("epsilon", self.epsilon)
-        if self.budget != "hyperbola":
+        if not _is_one_of(self.budget, ("hyperbola",)):
             _check_share("budget", self.budget, "'hyperbola' or a share ")
         _check_share("fixed_share", self.fixed_share, "a share ")
         if self.error_limit is not None and not (
@@ -130,6 +130,23 @@ class Params:
                 f"error_limit is {self.error_limit}; it must be a number from 1 to "
                 f"{LARGEST_WEIGHT:g}"
             )
+
+        self._simplify()
+
+    def _simplify(self):
+        """Python's own numbers in the place of NumPy's and fractions: one value, one repr."""
+        plain = {name: int(getattr(self, name)) for name in _COUNTS}
+        plain |= {name: float(getattr(self, name)) for name in _NUMBERS}
+        several = isinstance(self.votes, tuple)
+        plain["votes"] = tuple(map(int, self.votes)) if several else int(self.votes)
+        if self.guide_weights is not None:
+            plain["guide_weights"] = tuple(map(float, self.guide_weights))
+        if self.budget != "hyperbola":
+            plain["budget"] = float(self.budget)
+        if self.error_limit is not None:
+            plain["error_limit"] = float(self.error_limit)
+        for name, value in plain.items():
+            object.__setattr__(self, name, value)
 
     def votes_above(self, depth):
         """Votes of the level ``depth`` levels above the finest, coarser ones lying above."""
@@ -160,6 +177,20 @@ HEEDED_BY = {
 """The methods that heed a parameter, where not all of them do."""
 
 LARGEST_WEIGHT = 1e12
+
+_COUNTS = "patch_width", "levels", "patchmatch_iterations", "vote_outliers"
+_NUMBERS = "uniformity", "guide_influence", "epsilon", "fixed_share"
+
+
+def _is_one_of(value, names):
+    return isinstance(value, str) and value in names
+
+
+def _is_sequence(value):
+    try:
+        return np.ndim(value) == 1
+    except ValueError:  # rows of different lengths
+        return False
 
 
 def _check_count(name, value, most):

@@ -5,6 +5,7 @@ from numbers import Integral
 
 import numpy as np
 
+from stylit_ref.arrays import as_array
 from stylit_ref.checks import size
 from stylit_ref.errors import InputError
 from stylit_ref.passes import replay_vote
@@ -41,7 +42,7 @@ def replay(
     InputError
         If the NNF is not one, or points outside the style.
     """
-    nnf, style = np.asarray(nnf), np.asarray(style)
+    nnf, style = as_array(nnf, "the NNF"), as_array(style, "style")
     if nnf.dtype != np.int32 or nnf.ndim != 3 or nnf.shape[2] != 2 or 0 in nnf.shape:
         raise InputError(
             f"the NNF is {nnf.dtype} of shape {nnf.shape}; it must be int32 of shape (H, W, 2)"
@@ -50,8 +51,8 @@ def replay(
         raise InputError(f"style has dtype {style.dtype}; it must be uint8, uint16 or float32")
     if style.ndim not in (2, 3) or 0 in style.shape:
         raise InputError(f"style has shape {style.shape}; it must be (H, W) or (H, W, channels)")
-    if not isinstance(patch_width, Integral) or patch_width < 1 or patch_width % 2 == 0:
-        raise InputError(f"patch_width is {patch_width}; it must be an odd integer")
+    if not isinstance(patch_width, Integral) or patch_width % 2 == 0 or not 1 <= patch_width <= 63:
+        raise InputError(f"patch_width is {patch_width}; it must be an odd integer from 1 to 63")
     if not isinstance(scale, Integral) or scale < 1:
         raise InputError(f"scale is {scale}; it must be a positive integer")
     if style.shape[0] % scale or style.shape[1] % scale:
@@ -76,7 +77,7 @@ def replay(
         )
     image = style if style.ndim == 3 else style[:, :, None]
     means = np.zeros((nnf.shape[0] * scale, nnf.shape[1] * scale, image.shape[2]))
-    replay_vote(image, means, nnf, patch_width, scale)
+    replay_vote(np.ascontiguousarray(image), means, np.ascontiguousarray(nnf), patch_width, scale)
     if style.dtype != np.float32:
         means = np.floor(means + 0.5)
     return means.astype(style.dtype).reshape(*means.shape[:2], *style.shape[2:])

@@ -8,6 +8,7 @@ from numbers import Integral
 import numba
 import numpy as np
 
+from stylit_ref.arrays import as_array
 from stylit_ref.backends import passes_of
 from stylit_ref.checks import as_image, check_guides, check_mask, check_range, fit_levels
 from stylit_ref.errors import InputError
@@ -127,7 +128,7 @@ def stylize(
 
     source_size, target_size = style_image.shape[:2], targets[0].shape[:2]
     masked = mask is not None
-    mask = np.asarray(mask) if masked else np.zeros(target_size, bool)
+    mask = as_array(mask, "mask") if masked else np.zeros(target_size, bool)
     check_mask(mask, fill, target_size, style_image.shape[2])
     params = fit_levels(params, source_size, target_size)
     packing = make_packing(

@@ -5,6 +5,7 @@ import hashlib
 import json
 import re
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import pandas as pd
 from tqdm import tqdm
@@ -39,9 +40,20 @@ def write_page(plan, folder):
     if _is_up_to_date(folder, inputs):
         return False
     folder.mkdir(parents=True, exist_ok=True)
-    for file in _files_of(folder):
-        (folder / file).unlink(missing_ok=True)
-    (folder / INPUTS).unlink(missing_ok=True)
+    with TemporaryDirectory(prefix=".", dir=folder) as partial:
+        files = _write_files(plan, Path(partial))
+        record = {"inputs": inputs, "files": sorted(files)}
+        text = json.dumps(record, indent=1) + "\n"
+        (Path(partial) / INPUTS).write_text(text, encoding="utf-8")
+        for file in (*_files_of(folder), INPUTS):
+            (folder / file).unlink(missing_ok=True)
+        for file in (*files, INPUTS):  # the record last: without it the report is made again
+            (Path(partial) / file).replace(folder / file)
+    return True
+
+
+def _write_files(plan, folder):
+    """Write all but the record; returns the files' names."""
     writer = _Writer(folder)
     sections = [f"# Chapters 4 and 5 of the thesis, preset {plan.name}", _preface(plan)]
     similarities = {target: tables.similarity_table(plan, target) for target in plan.scenes}
@@ -55,9 +67,7 @@ def write_page(plan, folder):
     page = html_page(sections[0].strip("# "), text)
     embedded = re.sub(r'src="([^"]+\.webp)"', lambda match: _embedded(folder, match[1]), page)
     (folder / "index.html").write_text(embedded, encoding="utf-8")
-    record = {"inputs": inputs, "files": sorted(writer.files)}
-    (folder / INPUTS).write_text(json.dumps(record, indent=1) + "\n", encoding="utf-8")
-    return True
+    return writer.files
 
 
 class _Writer:
@@ -197,8 +207,9 @@ def _inputs(plan):
 def _record(folder):
     """What a report says it was made of; nothing where there is none."""
     try:
-        return json.loads((folder / INPUTS).read_text(encoding="utf-8"))
-    except (OSError, ValueError):
+        record = json.loads((folder / INPUTS).read_text(encoding="utf-8"))
+        return {"inputs": record["inputs"], "files": list(map(str, record["files"]))}
+    except (OSError, ValueError, KeyError, TypeError):
         return {"inputs": None, "files": []}
 
 

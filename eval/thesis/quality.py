@@ -12,6 +12,7 @@ from eval.spilling import spilling
 from eval.split_delta import split_delta
 from eval.usage import coverage, peak_usage, usage_entropy
 from stylit_ref import Params
+from stylit_ref.output_file import whole_file
 
 STORE = Path("build/quality")
 
@@ -84,17 +85,18 @@ def quality(job, run):
 def stored_quality(job):
     """The numbers of a run that were measured before, or None."""
     try:
-        return json.loads(_file(job).read_text(encoding="utf-8"))
-    except (OSError, ValueError):
+        stored = json.loads(_file(job).read_text(encoding="utf-8"))
+        return stored["numbers"] if stored["run"] == job.key else None
+    except (OSError, ValueError, KeyError, TypeError):
         return None
 
 
 def store_quality(job, numbers):
     """Keep the numbers of a run."""
     STORE.mkdir(parents=True, exist_ok=True)
-    partial = _file(job).with_suffix(".partial")
-    partial.write_text(json.dumps(numbers), encoding="utf-8")
-    partial.rename(_file(job))
+    text = json.dumps({"run": job.key, "numbers": numbers})
+    with whole_file(_file(job), len(text)) as partial:
+        partial.write_text(text, encoding="utf-8")
 
 
 def _digest():
