@@ -297,13 +297,14 @@ def bounds(nnf, weights):
     return (difference**2 * weights).sum(axis=2) / BOUND_SCALE
 
 
-phi = level.delta + level.occurrence_weight * level.omega_sums[tuple(level.nnf.T)].T
+all_penalizations = level.occurrence_weight * level.omega_sums.astype(np.int64)
+phi = level.delta + all_penalizations[tuple(level.nnf.T)].T
 shares, tightness = {}, {}
 for search_radius in (1, 2, 4, 8, 16, 32, 64):
     nnf = candidates(search_radius)
     delta = np.empty_like(level.delta)
     passes.similarity(textures, level.patch_width, nnf, delta)
-    penalization = level.occurrence_weight * level.omega_sums[tuple(nnf.T)].T
+    penalization = all_penalizations[tuple(nnf.T)].T
     by_sums, by_moments = bounds(nnf, sums_alone), bounds(nnf, textures.moment_weights.repeat(2))
     assert (by_sums <= by_moments).all()
     assert (by_moments <= delta).all()

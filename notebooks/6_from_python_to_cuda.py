@@ -144,19 +144,19 @@ print(f"{threads} threads for {WIDTH * HEIGHT} pixels; the bytes of CPU and devi
 # (UpdatePatchOmega, 3.2), which the device carries out one after another.
 #
 # We start twice from the same assignments with the same random numbers, and run the kernels of
-# thesis 3.3 with $\Omega$ live: one propagation, then random search. (Python's threads take turns
-# every five milliseconds; a GPU's are not that polite, so the simulator's shall take turns much
-# more often.)
+# thesis 3.3 with $\Omega$ live: one propagation, then random search, at $\lambda = 50000$, where
+# much depends on $\Omega$. (Python's threads take turns every five milliseconds; a GPU's are not
+# that polite, so the simulator's shall take turns much more often.)
 
 # %%
 packing = make_packing([3] * len(GUIDES), 3, guide_influence=2.0, guide_weights=[1.0] * len(GUIDES))
 
 
-def start(where, uniformity=10000):
+def start(where):
     """A level with random assignments, voted: the same on the CPU and on the device."""
     source, target = packing.pack(source_guides, style), packing.pack(target_guides)
     everywhere = np.ones((HEIGHT, WIDTH), bool)
-    params = Params(uniformity=uniformity)
+    params = Params(uniformity=50000)
     level = Level(where, packing, params, where.upload(source), where.upload(target), everywhere)
     where.random_nnf(level.nnf, 5, *style.shape[:2], random_stream(0, RANDOM_NNF, 1))
     level.init_occurrence_map()
@@ -181,7 +181,7 @@ def live_run():
 
 
 patient = sys.getswitchinterval()
-sys.setswitchinterval(1e-6)
+sys.setswitchinterval(1e-5)
 runs = [live_run() for _ in range(2)]
 sys.setswitchinterval(patient)
 
@@ -190,9 +190,9 @@ sys.setswitchinterval(patient)
 differ = (nnf_1 != nnf_2).any(axis=2)
 print(f"{differ.sum()} of {differ.size} pixels have another assignment in the second run")
 for nnf, omega in runs:
-    recount, sums = np.zeros_like(omega), np.zeros_like(omega)
-    passes.occurrence_map(nnf, recount, sums, 5)
-    np.testing.assert_array_equal(omega, recount)
+    counted, sums = np.zeros_like(omega), np.zeros_like(omega)
+    passes.occurrence_map(nnf, counted, sums, 5)
+    np.testing.assert_array_equal(omega, counted)
     print(f"Ω is what a recount gives; ΣΩ = {omega.sum()} = 25 x {HEIGHT * WIDTH}")
 
 fig, axes = plt.subplots(1, 3, figsize=(11, 3.2), layout="constrained")
@@ -230,19 +230,25 @@ for ax in axes:
 # with the map as it was, and does not know that the others go there too.
 
 # %%
-level = start(passes, uniformity=50000)
+level = start(passes)
 level.proposed_nnf[:] = style.shape[0] // 2, style.shape[1] // 2
 level.proposed_delta[:] = level.delta // 2
 
-sums, weight = level.omega_sums, level.occurrence_weight
-new_phi = level.proposed_delta + weight * sums[tuple(level.proposed_nnf.T)].T
-rush = new_phi < level.delta + weight * sums[tuple(level.nnf.T)].T
+weight = level.occurrence_weight
+wide = level.omega_sums.astype(np.int64)  # its product with the weight needs 64 bits
+new_phi = level.proposed_delta + weight * wide[tuple(level.proposed_nnf.T)].T
+rush = new_phi < level.delta + weight * wide[tuple(level.nnf.T)].T
 print(f"Ω frozen: {rush.sum()} of {rush.size} pixels move to the one patch at once")
 
 before = level.nnf.copy()
 stream = random_stream(0, COMMIT_ORDER, 1, 1, 1)
 passes.commit(
-    *fields_of(level), sums, weight, patch_width=level.patch_width, stream=stream, moves=level.moves
+    *fields_of(level),
+    level.omega_sums,
+    weight,
+    level.patch_width,
+    stream,
+    level.moves,
 )
 moved = (level.nnf != before).any(axis=2)
 print(f"committed in {CLASS_STRIDE**2} classes: {level.take_moves()} move")
@@ -251,8 +257,7 @@ print(f"committed in {CLASS_STRIDE**2} classes: {level.take_moves()} move")
 # The second number is the library's *commit*. It takes the proposals up in sixteen classes of
 # pixels, those with the same $(y \bmod 4, x \bmod 4)$, one class after another in a shuffled
 # order. Within a class every pixel compares once more with $\Omega$ as it stands now; when the
-# class is done, $\Omega$ follows. The sooner the patch is crowded, the sooner the others stay
-# away:
+# class is done, $\Omega$ follows. Once the patch is crowded, the others stay away:
 
 # %%
 order = np.empty((CLASS_STRIDE**2, 2), np.int32)
@@ -353,7 +358,9 @@ for ax, (name, result) in zip(axes.flat, shown.items(), strict=True):
 fig, ax = plt.subplots(figsize=(7, 3), layout="constrained")
 for name, result in list(shown.items())[1:]:
     crisp = sharpness(result.image, scene[0], result.nnf)
-    print(f"{name}: {crisp:.0%} of the fine detail that its patches have in the style")
+    coherent = (np.diff(result.nnf, axis=1) == (0, 1)).all(axis=2).mean()
+    print(f"{name}: {crisp:.0%} of the fine detail that its patches have in the style;")
+    print(f"    {coherent:.0%} of the pixels continue the assignment of their left neighbour")
     finest = [
         step.delta + step.penalization for step in result.history if step.level == step.levels
     ]
@@ -365,12 +372,11 @@ plt.show()
 
 # %% [markdown]
 # All but the first are at $\lambda = 15000$. Look at the brush strokes of the wall: with $\Omega$
-# frozen they are gone. Pixels rush to the unused patches together, overshoot, and rush away
-# together in the next pass; neighbours no longer come from neighbouring places, and voting
-# averages what does not fit. The curve says the same: its $\varphi$ stays far above the others,
-# while each decision by itself was an improvement. One after another with $\Omega$ live
-# (`scanline`, thesis 2.4) does not have that trouble, but it is a loop that no two threads can
-# share.
+# frozen they are gone. As in the experiment above, pixels rush to unused patches together. Fewer
+# of them continue what their neighbours have, and voting averages what does not fit; the numbers
+# say how much. The curve says the same: its $\varphi$ stays far above the others, while each
+# decision by itself was an improvement. One after another with $\Omega$ live (`scanline`, thesis
+# 2.4) does not have that trouble, but it is a loop that no two threads can share.
 
 # %% [markdown]
 # ## Propose and commit
@@ -450,9 +456,9 @@ for w in (3, 5, 7):
 #
 # Write `commit_class(nnf, delta, proposed_nnf, proposed_delta, sums, weight, first_y, first_x)`:
 # all pixels `[first_y::4, first_x::4]` decide at once, with $W$ (`sums`) as it stands; it changes
-# `nnf` and `delta` and leaves `sums` alone. The test runs it for the sixteen classes in the
-# library's order, counting $W$ anew after each, and compares with the commit of the CPU and of
-# the device.
+# `nnf` and `delta` (64-bit integers all) and leaves `sums` alone. The test runs it for the
+# sixteen classes in the library's order, counting $W$ anew after each, and compares with the
+# commit of the CPU and of the device.
 
 
 # %% tags=["hide-input"]
@@ -471,7 +477,7 @@ level = start(passes)
 metric = level.textures, level.omega_sums, level.occurrence_weight, level.patch_width
 fields = fields_of(level)
 passes.random_search(*metric, *fields, random_stream(0, RANDOM_SEARCH, 1, 1, 1))
-mine = [array.copy() for array in (*fields, level.omega_sums)]
+mine = [array.astype(np.int64) for array in (*fields, level.omega_sums)]
 committed = []
 for where in (passes, gpu_cuda):
     arrays = [where.upload(array.copy()) for array in (*fields, level.omega_sums)]
