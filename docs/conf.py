@@ -17,6 +17,7 @@ root_doc = "docs/index"
 include_patterns = [
     "docs/**.md",
     "notebooks/*.py",
+    "notebooks/README.md",
     "oracle/SPEC.md",
     "README.md",
     "reports/*/report.md",
