@@ -7,7 +7,7 @@ import signal
 import subprocess
 import sys
 import time
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 import numpy as np
@@ -286,6 +286,14 @@ def test_results_of_another_run_are_not_taken(tmp_path, monkeypatch):
     FOREIGN_RUN.check(0, "", tmp_path)
 
 
+def made_anew(path, before):
+    """Whether it is there, and not the one that a killed process left."""
+    with suppress(FileNotFoundError):
+        found = path.stat()
+        return before is None or found.st_mtime_ns != before.st_mtime_ns
+    return False
+
+
 def test_data_goes_on_after_anything(small_disk):
     try:
         start()
@@ -297,13 +305,15 @@ def test_data_goes_on_after_anything(small_disk):
         DATA_FULL.check(*done(process), disk)
     assert {path.name for path in folder.iterdir()} <= {"manifest.json"}
     enlarge()
+    killed = None
     for which in ("SIGKILL", "SIGTERM", "SIGINT"):
         with started(*DATA, folder=disk) as process:
-            wait_for((folder / "partial").exists, process)
+            wait_for(lambda old=killed: made_anew(folder / "partial", old), process)
             process.send_signal(getattr(signal, which))
             code, said = done(process)
         if which == "SIGKILL":
             assert code == -signal.SIGKILL
+            killed = (folder / "partial").stat()
         else:
             DATA_STOPPED.check(code, said, disk)
             assert not (folder / "partial").exists()
