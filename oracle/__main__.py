@@ -1,4 +1,4 @@
-"""``python -m oracle``: make the cases anew."""
+"""``python -m oracle make``: write the cases of the newest version, until it is published."""
 
 import argparse
 import shutil
@@ -15,12 +15,19 @@ def main(arguments=None):
     parser = argparse.ArgumentParser(prog="python -m oracle", description=__doc__)
     parser.add_argument("what", choices=["make"])
     parser.parse_args(arguments)
-    version = VERSIONS[-1]
-    for folder in folder_of(version).glob("*/"):
-        shutil.rmtree(folder)
+    folder = folder_of(VERSIONS[-1])
+    if (folder / "SHA256SUMS").exists():
+        print(
+            f"oracle: {folder.name} has its SHA256SUMS and never changes; add a version to "
+            "VERSIONS in oracle/cases.py",
+            file=sys.stderr,
+        )
+        return 2
+    for stage in folder.glob("*/"):
+        shutil.rmtree(stage)
     for case in tqdm(cases(), unit="case", disable=None):
         write_case(case)
-    write_digests(version)
+    write_digests(folder.name)
     return 0
 
 

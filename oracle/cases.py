@@ -57,6 +57,8 @@ class Case:
     arrays, expected : dict of str to array
     tolerances : dict of str to float
         Relative, of expected arrays that need not be equal bit for bit.
+    section : str
+        Of SPEC.md; that of :data:`SECTIONS` if not given.
     """
 
     version: str
@@ -66,6 +68,11 @@ class Case:
     arrays: dict[str, np.ndarray]
     expected: dict[str, np.ndarray]
     tolerances: dict[str, float] = field(default_factory=dict)
+    section: str = ""
+
+    def __post_init__(self):
+        if not self.section:
+            object.__setattr__(self, "section", SECTIONS[self.stage])
 
     @property
     def title(self):
@@ -85,7 +92,7 @@ def write_input(case, folder):
         "version": case.version,
         "stage": case.stage,
         "name": case.name,
-        "section": SECTIONS[case.stage],
+        "section": case.section,
         "parameters": case.parameters,
         "tolerances": case.tolerances,
     }
@@ -109,34 +116,58 @@ def write_digests(version):
 
 
 def damaged_files(version):
-    """Files of a version that differ from its digests, lack one, or are gone."""
-    folder = folder_of(version)
-    lines = (folder / "SHA256SUMS").read_text(encoding="utf-8").splitlines()
-    listed = {name: digest for digest, name in (line.split("  ", 1) for line in lines)}
-    found = {file.relative_to(folder).as_posix(): _sha256(file) for file in _files(folder)}
-    names = listed.keys() | found.keys()
-    return sorted(name for name in names if listed.get(name) != found.get(name))
+    """Files of a version that are missing or differ from its digests.
+
+    Returns
+    -------
+    dict of str to str
+        What is wrong with each.
+    """
+    folder, damaged = folder_of(version), {}
+    for line in (folder / "SHA256SUMS").read_text(encoding="utf-8").splitlines():
+        digest, name = line.split("  ", 1)
+        if not (folder / name).is_file():
+            damaged[name] = "is missing"
+        elif _sha256(folder / name) != digest:
+            damaged[name] = "differs from SHA256SUMS"
+    return damaged
 
 
 def read_cases(version, stages=STAGES):
     """The cases of some stages, in the order of the stages."""
     for stage in stages:
-        for folder in sorted((folder_of(version) / stage).iterdir()):
-            description = json.loads((folder / "case.json").read_text(encoding="utf-8"))
+        for file in sorted((folder_of(version) / stage).glob("*/case.json")):
+            description = json.loads(file.read_text(encoding="utf-8"))
             yield Case(
-                version,
+                description["version"],
                 stage,
-                folder.name,
+                description["name"],
                 description["parameters"],
-                read_arrays(folder),
-                read_arrays(folder / "expected"),
+                _read_arrays(file.parent),
+                _read_arrays(file.parent / "expected"),
                 description["tolerances"],
+                description["section"],
             )
 
 
-def read_arrays(folder):
-    """Every array of a folder, by name; never an object that was pickled."""
-    return {file.stem: np.load(file, allow_pickle=False) for file in sorted(folder.glob("*.npy"))}
+def read_array(file):
+    """An array of a file; never an object that was pickled.
+
+    Raises
+    ------
+    ValueError
+        If there is none.
+    """
+    try:
+        return np.load(file, allow_pickle=False)
+    except FileNotFoundError:
+        raise ValueError(f"{file.name} is not there") from None
+    except (OSError, ValueError, EOFError) as error:
+        raise ValueError(f"{file.name} cannot be read as an array: {error}") from None
+
+
+def _read_arrays(folder):
+    return {file.stem: read_array(file) for file in sorted(folder.glob("*.npy"))}
 
 
 def _write_arrays(folder, arrays):

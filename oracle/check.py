@@ -1,6 +1,10 @@
 """Does a port give what it must? If not, the first stage, pixel and value that differ."""
 
+import contextlib
+import os
 import shlex
+import shutil
+import signal
 import subprocess
 import tempfile
 from fnmatch import fnmatchcase
@@ -9,15 +13,40 @@ from typing import NamedTuple
 
 import numpy as np
 
-from oracle.cases import SECTIONS, STAGES, read_arrays, read_cases, write_input
+from oracle.cases import STAGES, read_array, read_cases, write_input
 from stylit_ref.errors import InputError
 
-PASSED, FAILED, EXPECTED, UNEXPECTED = (
+PASSED, FAILED, NOT_OFFERED, EXPECTED, UNEXPECTED = (
     "passed",
     "failed",
+    "not offered",
     "failed as expected",
     "passed unexpectedly",
 )
+
+
+class NotOfferedError(Exception):
+    """A port does not do a stage."""
+
+
+class Difference(NamedTuple):
+    """What is wrong with a port's output.
+
+    Attributes
+    ----------
+    message : str
+    array : str or None
+        The output concerned.
+    index : list of int or None
+        The first element that differs.
+    found, expected : int, float, bool or None
+    """
+
+    message: str
+    array: str | None = None
+    index: list[int] | None = None
+    found: int | float | bool | None = None
+    expected: int | float | bool | None = None
 
 
 class Outcome(NamedTuple):
@@ -25,16 +54,21 @@ class Outcome(NamedTuple):
 
     Attributes
     ----------
-    title, section : str
+    stage, name, section : str
     status : str
-    message : str
-        What differs; empty where nothing does.
+    difference : Difference or None
     """
 
-    title: str
+    stage: str
+    name: str
     section: str
     status: str
-    message: str
+    difference: Difference | None
+
+    @property
+    def title(self):
+        """Stage and name."""
+        return f"{self.stage}/{self.name}"
 
 
 def check(port, version, stages=STAGES, expected_failures=()):
@@ -47,97 +81,142 @@ def check(port, version, stages=STAGES, expected_failures=()):
     version : str
     stages : sequence of str
     expected_failures : set of str
-        Titles of cases that may fail, ``*`` standing for anything.
+        Titles of cases that must fail, ``*`` standing for anything.
 
     Yields
     ------
     Outcome
     """
     for case in read_cases(version, stages):
-        message = _difference(case, port)
         expected = any(fnmatchcase(case.title, pattern) for pattern in expected_failures)
-        status = (
-            (EXPECTED if expected else FAILED) if message else UNEXPECTED if expected else PASSED
-        )
-        yield Outcome(case.title, SECTIONS[case.stage], status, message)
+        difference = None
+        try:
+            difference = _first_difference(case, port(case))
+            status = FAILED if difference else PASSED
+        except NotOfferedError:
+            status = NOT_OFFERED
+        except (Exception, SystemExit) as error:
+            difference = Difference(f"{type(error).__name__}: {error}")
+            status = FAILED
+        if expected:
+            status = {FAILED: EXPECTED, PASSED: UNEXPECTED}.get(status, status)
+        yield Outcome(case.stage, case.name, case.section, status, difference)
 
 
-def _difference(case, port):
-    """The first thing in which a port's outputs are not those of a case, or nothing."""
-    try:
-        found = port(case)
-    except Exception as error:
-        return f"{type(error).__name__}: {error}"
+def _first_difference(case, found):
     for name, expected in case.expected.items():
         if name not in found:
-            return f"{name} is not there"
-        message = _array_difference(found[name], expected, case.tolerances.get(name))
-        if message:
-            return f"{name}{message}"
-    return ""
+            return Difference(f"{name} is not there", name)
+        difference = _difference(name, np.asarray(found[name]), expected, case.tolerances.get(name))
+        if difference:
+            return difference
+    return None
 
 
-def _array_difference(found, expected, tolerance):
-    found = np.asarray(found)
+def _difference(name, found, expected, tolerance):
     if found.shape != expected.shape:
-        return f" has shape {found.shape}; it must be {expected.shape}"
+        return Difference(f"{name} has shape {found.shape}; it must be {expected.shape}", name)
     if found.dtype != expected.dtype:
-        return f" is {found.dtype}; it must be {expected.dtype}"
+        return Difference(f"{name} is {found.dtype}; it must be {expected.dtype}", name)
     if tolerance is None:
         differs = found != expected
     else:
         differs = ~np.isclose(found, expected, rtol=tolerance, atol=0)
     if not differs.any():
-        return ""
-    first = tuple(int(axis[0]) for axis in np.nonzero(np.atleast_1d(differs)))
-    place = f"[{', '.join(map(str, first))}]" if expected.ndim else ""
-    values = (np.atleast_1d(array)[first] for array in (found, expected))
-    count = int(differs.sum())
-    return "{} is {}; it must be {} ({} of {} differ)".format(place, *values, count, expected.size)
+        return None
+    index = tuple(int(axis[0]) for axis in np.nonzero(np.atleast_1d(differs)))
+    values = [np.atleast_1d(array)[index].item() for array in (found, expected)]
+    place = f"[{', '.join(map(str, index))}]" if expected.ndim else ""
+    message = "{}{} is {}; it must be {} ({} of {} differ)".format(
+        name, place, *values, int(differs.sum()), expected.size
+    )
+    return Difference(message, name, list(index), *values)
 
 
-def command_port(command, timeout=600):
+def command_port(command, timeout=60):
     """A port that is a command, ``{input}`` and ``{output}`` in the places of two folders.
+
+    Parameters
+    ----------
+    command : str
+    timeout : float
+        Seconds that it may take for a case.
 
     Raises
     ------
     InputError
-        If the command lacks one of them.
+        If the command lacks one of them, or there is no such program.
     """
     if "{input}" not in command or "{output}" not in command:
         raise InputError(f"port {command!r} must name {{input}} and {{output}}")
+    try:
+        words = shlex.split(command)
+    except ValueError as error:
+        raise InputError(f"port {command!r} is no command: {error}") from None
+    if not shutil.which(words[0]):
+        raise InputError(f"port {command!r}: there is no program {words[0]!r} that can be run")
 
     def run(case):
         with tempfile.TemporaryDirectory(prefix="oracle-") as folder:
             given, made = Path(folder) / "input", Path(folder) / "output"
             write_input(case, given)
             made.mkdir()
-            words = [
-                word.replace("{input}", str(given)).replace("{output}", str(made))
-                for word in shlex.split(command)
-            ]
-            done = subprocess.run(
-                words, check=False, capture_output=True, text=True, timeout=timeout
-            )
-            if done.returncode:
-                said = done.stderr.strip().splitlines()
-                raise RuntimeError(f"exit code {done.returncode}: {said[-1] if said else ''}")
-            return read_arrays(made)
+            places = {"{input}": str(given), "{output}": str(made)}
+            filled = [_filled(word, places) for word in words]
+            _run(filled, Path(folder) / "said", timeout)
+            return {name: read_array(made / f"{name}.npy") for name in case.expected}
 
     return run
+
+
+def _filled(word, places):
+    for name, folder in places.items():
+        word = word.replace(name, folder)
+    return word
+
+
+def _run(words, log, timeout):
+    """Run a program and whatever it starts, for so long; what it says goes to a file."""
+    with log.open("wb") as said:
+        program = subprocess.Popen(
+            words, stdin=subprocess.DEVNULL, stdout=said, stderr=said, start_new_session=True
+        )
+        try:
+            code = program.wait(timeout)
+        except subprocess.TimeoutExpired:
+            raise RuntimeError(f"no end after {timeout:g} s") from None
+        finally:
+            with contextlib.suppress(ProcessLookupError):
+                os.killpg(program.pid, signal.SIGKILL)
+            program.wait()
+    if code:
+        end = f"signal {signal.Signals(-code).name}" if code < 0 else f"exit code {code}"
+        lines = log.read_text(encoding="utf-8", errors="replace").split("\n")
+        last = " | ".join([line.strip() for line in lines if line.strip()][-3:])
+        raise RuntimeError(f"{end}: {last}" if last else end)
 
 
 def module_port(module):
     """A port that is a Python module.
 
-    It offers ``run_case(stage, parameters, arrays)``, or the functions of
+    It offers ``run_case(stage, parameters, arrays)``, or some of the functions of
     :mod:`stylit_ref.passes`.
+
+    Raises
+    ------
+    InputError
+        If it offers neither.
     """
     from oracle import stages
 
     if hasattr(module, "run_case"):
         return lambda case: module.run_case(case.stage, case.parameters, dict(case.arrays))
-    backend = "cuda" if module.__name__.startswith("gpu_cuda") else "cpu"
-    return lambda case: stages.run_case(
-        case.stage, case.parameters, dict(case.arrays), module, backend
-    )
+    if not any(hasattr(module, name) for names in stages.NEEDS.values() for name in names):
+        raise InputError(f"{module.__name__}: offers neither run_case nor a pass of this library")
+
+    def run(case):
+        if not stages.is_offered(case.stage, module):
+            raise NotOfferedError
+        return stages.run_case(case.stage, case.parameters, dict(case.arrays), module)
+
+    return run

@@ -2,15 +2,20 @@
 
 import importlib
 import json
+import sys
 from collections import Counter
+from fnmatch import filter as matching
 from importlib.metadata import version as version_of
 from pathlib import Path
 
 from tqdm import tqdm
 
-from oracle.cases import STAGES, VERSIONS, damaged_files, folder_of
-from oracle.check import FAILED, UNEXPECTED, check, command_port, module_port
+from oracle.cases import STAGES, VERSIONS, damaged_files, folder_of, read_cases
+from oracle.check import FAILED, NOT_OFFERED, UNEXPECTED, check, command_port, module_port
 from stylit_ref.errors import InputError
+from stylit_ref.output_file import check_writable, whole_file
+
+SPEC = Path(__file__).with_name("SPEC.md")
 
 
 def check_port(options):
@@ -19,67 +24,101 @@ def check_port(options):
     Parameters
     ----------
     options : argparse.Namespace
-        ``port``, ``module``, ``stages``, ``xfail``, ``json``, ``cases``.
+        ``port``, ``module``, ``timeout``, ``stages``, ``xfail``, ``json``, ``cases``.
 
     Returns
     -------
     int
         Exit code: 0 if all is as expected, otherwise 1.
+
+    Raises
+    ------
+    InputError
+        If the options name what is not there, or nothing was checked.
     """
     version = options.cases or VERSIONS[-1]
     if version not in VERSIONS:
         raise InputError(f"there are no cases {version!r}; there are {', '.join(VERSIONS)}")
-    stages = options.stages.split(",") if options.stages else STAGES
-    for stage in stages:
-        if stage not in STAGES:
-            raise InputError(f"{stage!r} is no stage; there are {', '.join(STAGES)}")
-    damaged = damaged_files(version)
-    if damaged:
-        raise InputError(f"{folder_of(version) / damaged[0]}: differs from SHA256SUMS")
-    port = _port(options)
-    expected = _expected_failures(options.xfail)
-    outcomes = list(tqdm(check(port, version, stages, expected), unit="case", disable=None))
-    bad = [outcome for outcome in outcomes if outcome.status in (FAILED, UNEXPECTED)]
-    for outcome in bad:
-        print(f"{outcome.title}: {outcome.status}: {outcome.message}".rstrip(": "))
-    counts = Counter(outcome.status for outcome in outcomes)
-    print(", ".join(f"{count} {status}" for status, count in counts.items()))
-    failed = [outcome for outcome in bad if outcome.status == FAILED]
-    if failed:
-        stage = failed[0].title.partition("/")[0]
-        print(f"Begin with stage {stage}: section {failed[0].section} of {SPEC}.")
+    stages = STAGES if options.stages is None else _stages(options.stages)
+    for name, damage in damaged_files(version).items():
+        raise InputError(f"{folder_of(version) / name}: {damage}")
+    expected = _expected_failures(options.xfail, version)
     if options.json:
-        report = {
-            "stylit-ref": version_of("stylit-ref"),
-            "cases": version,
-            "outcomes": [outcome._asdict() for outcome in outcomes],
-        }
-        text = json.dumps(report, indent=1, ensure_ascii=False)
-        Path(options.json).write_text(text + "\n", encoding="utf-8")
-    return int(bool(bad))
+        check_writable(options.json)
+    port = _port(options)
+
+    outcomes = []
+    for outcome in tqdm(check(port, version, stages, expected), unit="case", disable=None):
+        outcomes.append(outcome)
+        if outcome.status in (FAILED, UNEXPECTED):
+            message = f": {outcome.difference.message}" if outcome.difference else ""
+            tqdm.write(f"{outcome.title}: {outcome.status}{message}")
+    counts = Counter(outcome.status for outcome in outcomes)
+    if counts[NOT_OFFERED] == len(outcomes):
+        raise InputError("nothing was checked: none of these stages is offered")
+    print(", ".join(f"{count} {status}" for status, count in counts.items()))
+    failed = next((outcome for outcome in outcomes if outcome.status == FAILED), None)
+    if failed:
+        print(f"Begin with stage {failed.stage}: section {failed.section} of {SPEC}.")
+    code = int(bool(counts[FAILED] or counts[UNEXPECTED]))
+    if options.json:
+        _write_report(options.json, version, code, counts, outcomes)
+    return code
 
 
-SPEC = Path(__file__).with_name("SPEC.md")
+def _write_report(file, version, code, counts, outcomes):
+    report = {
+        "stylit-ref": version_of("stylit-ref"),
+        "cases": version,
+        "exit_code": code,
+        "counts": counts,
+        "outcomes": [
+            outcome._asdict()
+            | {"difference": outcome.difference._asdict() if outcome.difference else None}
+            for outcome in outcomes
+        ],
+    }
+    text = json.dumps(report, indent=1, ensure_ascii=False) + "\n"
+    with whole_file(file, len(text.encode())) as partial:
+        partial.write_text(text, encoding="utf-8")
+
+
+def _stages(text):
+    """Stages of a list with commas, in the order of all."""
+    wanted = [name.strip() for name in text.split(",")]
+    for name in wanted:
+        if name not in STAGES:
+            raise InputError(f"{name!r} is no stage; there are {', '.join(STAGES)}")
+    return [stage for stage in STAGES if stage in wanted]
 
 
 def _port(options):
     if options.port and options.module:
         raise InputError("--port and --module exclude each other")
     if options.port:
-        return command_port(options.port)
+        return command_port(options.port, options.timeout)
     name = options.module or "stylit_ref.passes"
+    sys.path.insert(0, "")  # modules beside the reader, as for python -m
     try:
         return module_port(importlib.import_module(name))
-    except ImportError as error:
-        raise InputError(f"{name}: cannot be imported: {error}") from None
+    except (Exception, SystemExit) as error:
+        if isinstance(error, InputError):
+            raise
+        raise InputError(f"{name}: cannot be imported: {type(error).__name__}: {error}") from None
 
 
-def _expected_failures(file):
+def _expected_failures(file, version):
     """Patterns of titles, one a line; what follows # is a remark."""
     if file is None:
         return set()
     try:
-        lines = Path(file).read_text(encoding="utf-8").splitlines()
-    except OSError as error:
-        raise InputError(f"{file}: cannot be read: {error.strerror}") from None
-    return {line.partition("#")[0].strip() for line in lines} - {""}
+        lines = Path(file).read_text(encoding="utf-8-sig").splitlines()
+    except (OSError, UnicodeDecodeError) as error:
+        reason = getattr(error, "strerror", None) or "it is no text in UTF-8"
+        raise InputError(f"{file}: cannot be read: {reason}") from None
+    patterns = {line.partition("#")[0].strip() for line in lines} - {""}
+    titles = [case.title for case in read_cases(version)]
+    for pattern in sorted(patterns):
+        if not matching(titles, pattern):
+            raise InputError(f"{file}: {pattern!r} names no case; cases are named STAGE/NAME")
+    return patterns

@@ -1,5 +1,7 @@
 """The cases of the newest version: awkward inputs, and what this library makes of them."""
 
+from fractions import Fraction
+
 import numpy as np
 
 from oracle.cases import VERSIONS, Case
@@ -22,7 +24,9 @@ LEVELS = {
     "all_ties": {"constant": True},
     "equal_candidates": {"constant": True, "blemish": True, "uniformity": 0.0},
     "no_penalization": {"uniformity": 0.0},
-    "extreme_weights": {"guide_weights": [30000.0, 1e-4], "guide_influence": 4.0},
+    "extreme_weights": {
+        "guide_weights": [98303.0, 1e-4], "guide_influence": 4.0, "contrast": True,
+    },
     "ignored_guide": {"guide_weights": [0.0, 1.0]},
     "masked": {"masked": True, "smooth": True},
     "crowded": {"crowded": True, "smooth": True, "target": (17, 12)},  # radius 8 is the largest
@@ -54,7 +58,12 @@ def _inputs():
     for name, size in (("even", (12, 16)), ("odd", (13, 7)), ("two_rows", (2, 9))):
         image = rng.integers(0, 256, (*size, 3), dtype=np.uint8)
         yield "downsample", name, {}, {"image": image}, {}
+    yield from _tied_weights()
+    huge = {"patch_width": 5, "source_height": 65521, "source_width": 3000017}
+    place = {"seed": PLACE["seed"], "level": PLACE["level"]}
+    yield "random_nnf", "huge_source", huge | place, {"nnf": np.zeros((9, 8, 2), np.int32)}, {}
     yield "commit", "rush", *_rush(), {}
+    yield "vote", "unheard", *_unheard(), {}
     for number, (name, differences) in enumerate(LEVELS.items()):
         yield from _of_level(name, Scene(number, **differences))
     yield from _guide_maps()
@@ -111,38 +120,80 @@ def _rush():
     return scene.search | PLACE, arrays | proposed
 
 
+def _tied_weights():
+    """Weights halfway between two integers, or so close that the order of products decides."""
+    ties = [(k + 0.5) / 32768 for k in range(1, 9)]
+    parameters = Scene(0).weighing | {"guide_weights": ties, "guide_channels": [1] * 8}
+    yield "weights", "ties", parameters | {"guide_influence": 4.0}, {}, {}
+    near = [(k + 0.5) * 5 / 196608 for k in range(1, 100)]
+    near = [g for g in near if round(65536 * (3 / 5) * g) != round(65536 * 3 * g / 5)][:5]
+    parameters = parameters | {"guide_weights": near, "guide_channels": [1] * 5}
+    yield "weights", "order_of_products", parameters | {"guide_influence": 3.0}, {}, {}
+
+
+def _unheard():
+    """Pixels that no patch votes for."""
+    scene = Scene(301, patch_width=3)
+    nnf = scene.arrays["nnf"].copy()
+    nnf[2:9, 3:8] = -1
+    style = np.ascontiguousarray(scene.arrays["source"][:, :, :2])
+    return {"patch_width": 3, "outliers": 0}, {"style": style, "nnf": nnf}
+
+
 def _guide_maps():
-    for number, (name, differences, epsilon) in enumerate(
+    for number, (name, differences, choose) in enumerate(
         (
-            ("some", {"smooth": True}, 150.0),
-            ("none", {"smooth": True}, 0.0),
-            ("all", {"smooth": True, "patch_width": 3}, 1e9),
-            ("fraction", {"smooth": True, "patch_width": 7, "source": (15, 16)}, 137.7),
-            ("ignored_guide", {"smooth": True, "guide_weights": (0.0, 1.0)}, 150.0),
+            ("some", {}, lambda variances: 500.0),
+            ("none", {}, lambda variances: 0.0),
+            ("all", {"patch_width": 3}, lambda variances: 1e9),
+            ("seven", {"patch_width": 7, "source": (15, 16)}, np.median),
+            ("exact", {"patch_width": 3, "target": (19, 18)}, _exact_variance),
+            ("rounded", {}, _rounded_variance),
+            ("ignored_guide", {"guide_weights": (0.0, 1.0)}, np.median),
         )
     ):
-        scene = Scene(100 + number, **differences)
+        scene = Scene(100 + number, smooth=True, **differences)
         arrays = scene.only("source", "target", "weights")
-        parameters = scene.metric | {"epsilon": epsilon}
+        whole = run_case("guide_map", scene.metric | {"epsilon": 0.0}, arrays, passes)
+        parameters = scene.metric | {
+            "epsilon": float(choose(whole["variances"] / scene.metric["patch_width"] ** 4))
+        }
         yield "guide_map", name, parameters, arrays, {}
         white = run_case("guide_map", parameters, arrays, passes)["white"]
         arrays = arrays | scene.only("nnf") | {"white": white}
         yield "white_delta", name, scene.metric, arrays, {}
 
 
+def _exact_variance(variances):
+    """A variance that a double holds: it is not below itself."""
+    return next(v for v in np.sort(variances.ravel())[variances.size // 3 :] if v == int(v))
+
+
+def _rounded_variance(variances):
+    """A variance whose double is above it: it is below that, though their w⁴-folds round alike."""
+    near = np.sort(variances.ravel())[variances.size // 3 :]
+    return next(v for v in near if Fraction(v) > Fraction(round(v * 625), 625) and v * 625 % 1 == 0)
+
+
 def _runs():
     plain = RUN | {"uniformity": 5000.0, "method": "ref", "epsilon": 0.0}
     small, large = ((13, 15), (14, 12)), ((22, 25), (24, 20))
-    guide_map = {"method": "guide_map", "epsilon": 150.0, "patch_width": 5}
-    for number, (name, differences, sizes) in enumerate(
+    guide_map = {"method": "guide_map", "epsilon": 340.0, "patch_width": 5}
+    for number, (name, differences, sizes, style_channels) in enumerate(
         (
-            ("lambda_0", {"uniformity": 0.0}, small),
-            ("lambda_5000", {"patch_width": 5}, large),
-            ("lambda_100000", {"uniformity": 100000.0}, small),
-            ("one_level", {"levels": 1, "iterations": 2}, ((12, 15), (16, 11))),
-            ("masked", {"masked": True}, small),
-            ("guide_map", guide_map, small),
+            ("lambda_0", {"uniformity": 0.0, "guide_weights": [1.0, 0.5]}, small, 1),
+            ("lambda_5000", {"patch_width": 5}, large, 3),
+            ("lambda_100000", {"uniformity": 100000.0, "seed": (1 << 63) + 5}, small, 4),
+            ("one_level", {"levels": 1, "iterations": 2}, ((12, 15), (16, 11)), 3),
+            ("wide_patch", {"patch_width": 7, "guide_weights": [0.0, 3.0]}, small, 2),
+            ("small_source", {"guide_channels": [1, 2, 1]}, ((7, 8), (14, 12)), 3),
+            ("small_target", {}, ((17, 15), (8, 7)), 3),
+            ("masked", {"masked": True, "patch_width": 5}, ((20, 22), (21, 23)), 3),
+            ("guide_map", guide_map, small, 3),
         )
     ):
         parameters = plain | differences
-        yield "run", name, parameters, run_arrays(200 + number, sizes, parameters["masked"]), {}
+        if len(parameters["guide_channels"]) != len(parameters["guide_weights"]):
+            parameters["guide_weights"] = [1.0] * len(parameters["guide_channels"])
+        arrays = run_arrays(200 + number, sizes, parameters, style_channels)
+        yield "run", name, parameters, arrays, {}

@@ -22,7 +22,7 @@ class Scene:
         self, number, source=(13, 17), target=(14, 12), guide_channels=(3, 3),
         guide_weights=(1.0, 1.0), style_channels=3, patch_width=5, uniformity=5000.0,
         guide_influence=2.0, constant=False, blemish=False, masked=False, smooth=False,
-        crowded=False,
+        crowded=False, contrast=False,
     ):  # fmt: skip
         rng = np.random.default_rng(number)
         channels = sum(guide_channels) + style_channels
@@ -31,6 +31,11 @@ class Scene:
             name: random_image(rng, size, channels, smooth, constant)
             for name, size in (("source", source), ("target", target))
         }
+        if contrast:  # differences as large as they get
+            self.arrays |= {
+                name: np.where(image < 128, 0, 255).astype(np.uint8)
+                for name, image in self.arrays.items()
+            }
         if blemish:  # half of the source is wrong, all of the rest equally right
             self.arrays["source"][:, : source[1] // 2] = 0
         self.weighing = {
@@ -79,7 +84,7 @@ def random_image(rng, size, channels, smooth=False, constant=False):
     return np.full_like(image, 100) if constant else image
 
 
-def run_arrays(number, sizes, masked):
+def run_arrays(number, sizes, parameters, style_channels=3):
     """Input of a whole run.
 
     Parameters
@@ -88,8 +93,10 @@ def run_arrays(number, sizes, masked):
         Of the scene: the seed of its noise.
     sizes : pair of (int, int)
         Of source and target.
-    masked : bool
-        Leave the right of the target alone.
+    parameters : dict
+        Where ``masked``, all of the target but a few pixels, some of them in the last row and
+        column, is left alone.
+    style_channels : int
 
     Returns
     -------
@@ -97,12 +104,15 @@ def run_arrays(number, sizes, masked):
     """
     rng = np.random.default_rng(number)
     source, target = sizes
+    guides = sum(parameters["guide_channels"])
     arrays = {
-        "style": random_image(rng, source, 3),
-        "source_guides": random_image(rng, source, 4, smooth=True),
-        "target_guides": random_image(rng, target, 4, smooth=True),
+        "style": random_image(rng, source, style_channels),
+        "source_guides": random_image(rng, source, guides, smooth=True),
+        "target_guides": random_image(rng, target, guides, smooth=True),
     }
-    if masked:
-        arrays["mask"] = np.zeros(target, bool)
-        arrays["mask"][:, 6:] = True
+    if parameters["masked"]:
+        arrays["mask"] = np.ones(target, bool)
+        alone = (3, 4), (target[0] // 2, target[1] - 7), (target[0] - 1, 1), (6, target[1] - 1)
+        for pixel in alone:
+            arrays["mask"][pixel] = False
     return arrays

@@ -1,16 +1,20 @@
 """Every stage of SPEC.md, done by a module of passes."""
 
 import warnings
+from dataclasses import replace
 
 import numpy as np
 from numba import njit
 
 from oracle import stylit_stages
 from oracle.levels import level_of_case
-from stylit_ref import Params, stylize
+from stylit_ref import Params
+from stylit_ref import passes as library_passes
+from stylit_ref.checks import fit_levels
 from stylit_ref.formulae.bounded_metric import make_delta_bound
 from stylit_ref.formulae.commit_classes import commit_order
 from stylit_ref.formulae.guide_map import scaled_variance
+from stylit_ref.formulae.patch_moments import LINE_LANES
 from stylit_ref.formulae.philox import philox4x32
 from stylit_ref.formulae.random_stream import (
     COMMIT_ORDER,
@@ -19,14 +23,47 @@ from stylit_ref.formulae.random_stream import (
     random_stream,
 )
 from stylit_ref.formulae.row_differences import LANES
+from stylit_ref.mask import active_patches
 from stylit_ref.packing import make_packing, occurrence_weight
 from stylit_ref.patchmatch import propose_commit
+from stylit_ref.texture_optimization import texture_optimization
 
 METHODS_OWN = "uniformity", "epsilon", "budget", "fixed_share", "error_limit"
 """Parameters that only some methods have."""
 
+NEEDS = {
+    "random_nnf": ("random_nnf",),
+    "downsample": ("downsample",),
+    "upsample_nnf": ("upsample_nnf",),
+    "occurrence": ("occurrence_map",),
+    "delta": ("similarity",),
+    "guide_map": ("means", "guide_map"),
+    "white_delta": ("means", "guide_map", "similarity"),
+    "propagation": ("propagation",),
+    "random_search": ("random_search",),
+    "commit": ("commit",),
+    "iteration": ("propagation", "random_search", "commit"),
+    "vote": ("vote",),
+    "level": ("vote", "similarity", "propagation", "random_search", "commit"),
+    "run": ("random_nnf", "vote", "similarity", "propagation", "random_search", "commit"),
+    "lower_bound": ("patch_moments",),
+    "invert_nnf": ("invert_nnf",),
+    "settle": ("settle_claims",),
+    "stylit_search": ("propagation", "random_search", "commit", "settle_claims"),
+    "stylit_run": ("random_nnf", "vote", "propagation", "random_search", "settle_claims"),
+}
+"""Passes of every stage; what is not here is done by formulae of the library alone."""
 
-def run_case(stage, parameters, arrays, passes, backend="cpu"):
+
+def is_offered(stage, passes):
+    """Whether a stage checks this module: it has the passes, or all of it is the library's own."""
+    if passes is library_passes:
+        return True
+    bounds = stage != "lower_bound" or passes.moments_storage(1, 1, LINE_LANES) is not None
+    return stage in NEEDS and all(hasattr(passes, name) for name in NEEDS[stage]) and bounds
+
+
+def run_case(stage, parameters, arrays, passes):
     """Do a stage.
 
     Parameters
@@ -37,15 +74,11 @@ def run_case(stage, parameters, arrays, passes, backend="cpu"):
     arrays : dict of str to array
     passes : module
         :mod:`stylit_ref.passes`, or another that offers the same.
-    backend : {"cpu", "cuda"}
-        The name of these passes for :func:`stylit_ref.stylize`, which whole runs go through.
 
     Returns
     -------
     dict of str to array
     """
-    if stage in ("run", "stylit_run"):
-        return _run(parameters, arrays, backend)
     return _STAGES[stage](passes, parameters, arrays)
 
 
@@ -211,32 +244,48 @@ def _whole_level(passes, parameters, arrays):
     return found | {"style": np.ascontiguousarray(level.style)}
 
 
-def _run(parameters, arrays, backend):
+def _run(passes, parameters, arrays):
     splits = np.cumsum(parameters["guide_channels"])[:-1]
     sources, targets = (
         np.split(arrays[f"{side}_guides"], splits, axis=2) for side in ("source", "target")
     )
+    style, size = arrays["style"], targets[0].shape[:2]
     params = Params(
         parameters.get("method", "stylit"),
         patch_width=parameters["patch_width"],
         levels=parameters["levels"],
         votes=parameters["votes"],
         patchmatch_iterations=parameters["iterations"],
-        guide_influence=parameters["guide_influence"],
-        guide_weights=tuple(parameters["guide_weights"]),
         **{name: parameters[name] for name in METHODS_OWN if name in parameters},
     )
-    mask = arrays.get("mask")
+    if params.method == "stylit":
+        params = replace(params, uniformity=0)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # fewer levels than asked for
-        result = stylize(
-            arrays["style"], sources, targets, params,
-            seed=parameters["seed"], mask=mask, backend=backend,
-        )  # fmt: skip
-    image = result.image[:, :, : arrays["style"].shape[2]].copy()
-    if mask is not None:
-        image[mask] = 0
-    return {"image": image, "nnf": result.nnf, "omega": result.omega}
+        params = fit_levels(params, style.shape[:2], size)
+    packing = make_packing(
+        parameters["guide_channels"],
+        style.shape[2],
+        parameters["guide_influence"],
+        parameters["guide_weights"],
+    )
+    mask = arrays.get("mask", np.zeros(size, bool))
+    level = texture_optimization(
+        passes,
+        packing.pack(sources, style),
+        packing.pack(targets),
+        active_patches(mask, params.patch_width),
+        packing,
+        params,
+        parameters["seed"],
+        on_step=lambda step: None,
+        on_level=lambda number, level: None,
+    )
+    image = level.style.copy()
+    image[mask] = 0
+    return {name: passes.download(getattr(level, name)) for name in ("nnf", "omega")} | {
+        "image": image
+    }
 
 
 def _lower_bound(passes, parameters, arrays):
@@ -272,6 +321,8 @@ _STAGES = {
     "iteration": _iteration,
     "vote": _vote,
     "level": _whole_level,
+    "run": _run,
+    "stylit_run": _run,
     "lower_bound": _lower_bound,
     **stylit_stages.STAGES,
 }

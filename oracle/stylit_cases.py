@@ -1,8 +1,12 @@
 """The cases of StyLit: sections 14 and 15 of SPEC.md."""
 
+from fractions import Fraction
+
 import numpy as np
 
 from oracle.scene import PLACE, RUN, Scene, run_arrays
+from oracle.stages import run_case
+from stylit_ref import passes
 
 SEARCH = {
     "seed": PLACE["seed"], "level": PLACE["level"], "vote": PLACE["vote"],
@@ -39,16 +43,17 @@ def stylit_inputs(rng):
         scene = Scene(500, uniformity=0.0, **differences)
         arrays = scene.only("source", "target", "weights", "nnf", "delta")
         yield "stylit_search", name, scene.metric | SEARCH | search, arrays, {}
+    yield "stylit_search", "exact_share", *_exact_share(), {}
     own = {"budget": 0.9, "fixed_share": 0.95, "error_limit": None}
     for number, (name, differences, sizes) in enumerate(
         (
             ("plain", {"patch_width": 5}, ((22, 25), (24, 20))),
             ("limited", {"error_limit": 2.0, "budget": 0.7}, ((17, 15), (14, 12))),
-            ("masked", {"masked": True}, ((13, 15), (14, 12))),
+            ("masked", {"masked": True}, ((13, 15), (15, 17))),
         )
     ):
         parameters = RUN | own | differences
-        arrays = run_arrays(600 + number, sizes, parameters["masked"])
+        arrays = run_arrays(600 + number, sizes, parameters)
         yield "stylit_run", name, parameters, arrays, {}
 
 
@@ -56,7 +61,32 @@ def _budgets(rng):
     errors = np.sort(rng.integers(0, 1 << 40, 200))
     for share in (0.5, 0.9, 1.0, 1e-9):
         yield "budget", f"share_{share:g}", {"share": share}, {"errors": errors}, {}
+    yield "budget", "rounded_sums", *_rounded_sums(rng), {}
     yield "budget", "all_zero", {"share": 0.9}, {"errors": np.zeros(5, np.int64)}, {}
+
+
+def _rounded_sums(rng):
+    """A share that a running sum meets or misses by how it was rounded."""
+    errors = np.sort(rng.integers(1 << 50, 1 << 60, 200))
+    spent = np.cumsum(errors.astype(np.float64))
+    exact = [Fraction(int(sum(errors[: k + 1].tolist()))) for k in range(len(errors))]
+    for k in range(len(errors)):
+        share = spent[k] / spent[-1]
+        within = [total <= Fraction(share) * exact[-1] for total in exact]
+        if (spent <= share * spent[-1]).sum() != sum(within):
+            return {"share": float(share)}, {"errors": errors}
+    raise AssertionError("these errors tell nothing")
+
+
+def _exact_share():
+    """The first retrieval fixes just the share that was asked for."""
+    scene = Scene(500, uniformity=0.0)
+    arrays = scene.only("source", "target", "weights", "nnf", "delta")
+    found = run_case("stylit_search", scene.metric | SEARCH, arrays, passes)
+    patches = arrays["delta"].size
+    share = int(found["fixed_counts"][0]) / patches
+    assert share * patches == found["fixed_counts"][0]
+    return scene.metric | SEARCH | {"fixed_share": share}, arrays
 
 
 def _knees(rng):

@@ -252,9 +252,13 @@ def _parser():
         "--module", metavar="NAME",
         help="Python module with run_case(stage, parameters, arrays), or with the passes",
     )  # fmt: skip
+    check.add_argument(
+        "--timeout", type=float, default=60, metavar="SECONDS",
+        help="longest that the port may take for a case (default %(default)s)",
+    )  # fmt: skip
     check.add_argument("--stages", metavar="A,B", help="stages to check (default: all)")
     check.add_argument(
-        "--xfail", metavar="FILE", help="cases that are to fail, a line each; * stands for anything"
+        "--xfail", metavar="FILE", help="cases that must fail, a line each; * stands for anything"
     )
     check.add_argument("--json", metavar="FILE", help="write what became of every case")
     check.add_argument("--cases", metavar="v1", help="version of the cases (default: the newest)")
