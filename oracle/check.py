@@ -7,12 +7,17 @@ import shutil
 import signal
 import subprocess
 import tempfile
+from concurrent.futures import ProcessPoolExecutor
 from fnmatch import fnmatchcase
+from functools import partial
+from importlib import import_module
+from multiprocessing import get_context
 from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 
+from oracle import stages as library_stages
 from oracle.cases import STAGES, read_array, read_cases, write_input
 from stylit_ref.errors import InputError
 
@@ -71,36 +76,48 @@ class Outcome(NamedTuple):
         return f"{self.stage}/{self.name}"
 
 
-def check(port, version, stages=STAGES, expected_failures=()):
+def check(port, version, stages=STAGES, expected_failures=(), jobs=1):
     """Run a port on the cases of some stages.
 
     Parameters
     ----------
     port : callable
-        ``(case) -> dict of str to array``; :func:`command_port` or :func:`module_port`.
+        ``(case) -> dict of str to array``; :class:`CommandPort` or :class:`ModulePort`.
     version : str
     stages : sequence of str
     expected_failures : set of str
         Titles of cases that must fail, ``*`` standing for anything.
+    jobs : int
+        Processes that share the cases; with more than one the port is sent to them.
 
     Yields
     ------
     Outcome
+        In the order of the cases.
     """
-    for case in read_cases(version, stages):
-        expected = any(fnmatchcase(case.title, pattern) for pattern in expected_failures)
-        difference = None
-        try:
-            difference = _first_difference(case, port(case))
-            status = FAILED if difference else PASSED
-        except NotOfferedError:
-            status = NOT_OFFERED
-        except (Exception, SystemExit) as error:
-            difference = Difference(f"{type(error).__name__}: {error}")
-            status = FAILED
-        if expected:
-            status = {FAILED: EXPECTED, PASSED: UNEXPECTED}.get(status, status)
-        yield Outcome(case.stage, case.name, case.section, status, difference)
+    one = partial(_outcome, port, expected_failures)
+    cases = read_cases(version, stages)
+    if jobs == 1:
+        yield from map(one, cases)
+        return
+    with ProcessPoolExecutor(jobs, get_context("spawn")) as pool:
+        yield from pool.map(one, cases)
+
+
+def _outcome(port, expected_failures, case):
+    expected = any(fnmatchcase(case.title, pattern) for pattern in expected_failures)
+    difference = None
+    try:
+        difference = _first_difference(case, port(case))
+        status = FAILED if difference else PASSED
+    except NotOfferedError:
+        status = NOT_OFFERED
+    except (Exception, SystemExit) as error:
+        difference = Difference(f"{type(error).__name__}: {error}")
+        status = FAILED
+    if expected:
+        status = {FAILED: EXPECTED, PASSED: UNEXPECTED}.get(status, status)
+    return Outcome(case.stage, case.name, case.section, status, difference)
 
 
 def _first_difference(case, found):
@@ -133,7 +150,7 @@ def _difference(name, found, expected, tolerance):
     return Difference(message, name, list(index), *values)
 
 
-def command_port(command, timeout=60):
+class CommandPort:
     """A port that is a command, ``{input}`` and ``{output}`` in the places of two folders.
 
     Parameters
@@ -147,26 +164,28 @@ def command_port(command, timeout=60):
     InputError
         If the command lacks one of them, or there is no such program.
     """
-    if "{input}" not in command or "{output}" not in command:
-        raise InputError(f"port {command!r} must name {{input}} and {{output}}")
-    try:
-        words = shlex.split(command)
-    except ValueError as error:
-        raise InputError(f"port {command!r} is no command: {error}") from None
-    if not shutil.which(words[0]):
-        raise InputError(f"port {command!r}: there is no program {words[0]!r} that can be run")
 
-    def run(case):
+    def __init__(self, command, timeout=60):
+        if "{input}" not in command or "{output}" not in command:
+            raise InputError(f"port {command!r} must name {{input}} and {{output}}")
+        try:
+            self.words = shlex.split(command)
+        except ValueError as error:
+            raise InputError(f"port {command!r} is no command: {error}") from None
+        if not shutil.which(self.words[0]):
+            program = self.words[0]
+            raise InputError(f"port {command!r}: there is no program {program!r} that can be run")
+        self.timeout = timeout
+
+    def __call__(self, case):
         with tempfile.TemporaryDirectory(prefix="oracle-") as folder:
             given, made = Path(folder) / "input", Path(folder) / "output"
             write_input(case, given)
             made.mkdir()
             places = {"{input}": str(given), "{output}": str(made)}
-            filled = [_filled(word, places) for word in words]
-            _run(filled, Path(folder) / "said", timeout)
+            filled = [_filled(word, places) for word in self.words]
+            _run(filled, Path(folder) / "said", self.timeout)
             return {name: read_array(made / f"{name}.npy") for name in case.expected}
-
-    return run
 
 
 def _filled(word, places):
@@ -196,27 +215,36 @@ def _run(words, log, timeout):
         raise RuntimeError(f"{end}: {last}" if last else end)
 
 
-def module_port(module):
+class ModulePort:
     """A port that is a Python module.
 
-    It offers ``run_case(stage, parameters, arrays)``, or some of the functions of
-    :mod:`stylit_ref.passes`.
+    Parameters
+    ----------
+    name : str
+        It offers ``run_case(stage, parameters, arrays)``, or some of the functions of
+        :mod:`stylit_ref.passes`.
 
     Raises
     ------
     InputError
-        If it offers neither.
+        If it cannot be imported, or offers neither.
     """
-    from oracle import stages
 
-    if hasattr(module, "run_case"):
-        return lambda case: module.run_case(case.stage, case.parameters, dict(case.arrays))
-    if not any(hasattr(module, name) for names in stages.NEEDS.values() for name in names):
-        raise InputError(f"{module.__name__}: offers neither run_case nor a pass of this library")
+    def __init__(self, name):
+        self.name = name
+        try:
+            module = import_module(name)
+        except (Exception, SystemExit) as error:
+            what = f"{type(error).__name__}: {error}"
+            raise InputError(f"{name}: cannot be imported: {what}") from None
+        needed = {need for needs in library_stages.NEEDS.values() for need in needs}
+        if not hasattr(module, "run_case") and not any(hasattr(module, need) for need in needed):
+            raise InputError(f"{name}: offers neither run_case nor a pass of this library")
 
-    def run(case):
-        if not stages.is_offered(case.stage, module):
+    def __call__(self, case):
+        module = import_module(self.name)
+        if hasattr(module, "run_case"):
+            return module.run_case(case.stage, case.parameters, dict(case.arrays))
+        if not library_stages.is_offered(case.stage, module):
             raise NotOfferedError
-        return stages.run_case(case.stage, case.parameters, dict(case.arrays), module)
-
-    return run
+        return library_stages.run_case(case.stage, case.parameters, dict(case.arrays), module)

@@ -1,6 +1,5 @@
 """``stylit-ref oracle check``: which stage a port gets wrong."""
 
-import importlib
 import json
 import sys
 from collections import Counter
@@ -11,7 +10,7 @@ from pathlib import Path
 from tqdm import tqdm
 
 from oracle.cases import STAGES, VERSIONS, damaged_files, folder_of, read_cases
-from oracle.check import FAILED, NOT_OFFERED, UNEXPECTED, check, command_port, module_port
+from oracle.check import FAILED, NOT_OFFERED, UNEXPECTED, CommandPort, ModulePort, check
 from stylit_ref.errors import InputError
 from stylit_ref.output_file import check_writable, whole_file
 
@@ -24,7 +23,7 @@ def check_port(options):
     Parameters
     ----------
     options : argparse.Namespace
-        ``port``, ``module``, ``timeout``, ``stages``, ``xfail``, ``json``, ``cases``.
+        ``port``, ``module``, ``timeout``, ``jobs``, ``stages``, ``xfail``, ``json``, ``cases``.
 
     Returns
     -------
@@ -47,8 +46,12 @@ def check_port(options):
         check_writable(options.json)
     port = _port(options)
 
+    if options.jobs < 1:
+        raise InputError(f"jobs is {options.jobs}; it must be 1 or more")
+    total = sum(1 for _ in read_cases(version, stages))
     outcomes = []
-    for outcome in tqdm(check(port, version, stages, expected), unit="case", disable=None):
+    checked = check(port, version, stages, expected, options.jobs)
+    for outcome in tqdm(checked, total=total, unit="case", disable=None):
         outcomes.append(outcome)
         if outcome.status in (FAILED, UNEXPECTED):
             message = f": {outcome.difference.message}" if outcome.difference else ""
@@ -96,15 +99,9 @@ def _port(options):
     if options.port and options.module:
         raise InputError("--port and --module exclude each other")
     if options.port:
-        return command_port(options.port, options.timeout)
-    name = options.module or "stylit_ref.passes"
+        return CommandPort(options.port, options.timeout)
     sys.path.insert(0, "")  # modules beside the reader, as for python -m
-    try:
-        return module_port(importlib.import_module(name))
-    except (Exception, SystemExit) as error:
-        if isinstance(error, InputError):
-            raise
-        raise InputError(f"{name}: cannot be imported: {type(error).__name__}: {error}") from None
+    return ModulePort(options.module or "stylit_ref.passes")
 
 
 def _expected_failures(file, version):

@@ -10,7 +10,7 @@ PLACE = {"seed": 0x1234567890ABCDEF, "level": 3, "vote": 2, "iteration": 5}
 
 RUN = {
     "masked": False, "guide_channels": [3, 1], "guide_weights": [1.0, 1.0],
-    "guide_influence": 2.0, "patch_width": 3, "levels": 6, "votes": 2, "iterations": 1, "seed": 7,
+    "guide_influence": 2.0, "patch_width": 3, "levels": 6, "votes": 1, "iterations": 1, "seed": 7,
 }  # fmt: skip
 """Parameters of whole runs."""
 

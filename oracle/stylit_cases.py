@@ -47,7 +47,7 @@ def stylit_inputs(rng):
     own = {"budget": 0.9, "fixed_share": 0.95, "error_limit": None}
     for number, (name, differences, sizes) in enumerate(
         (
-            ("plain", {"patch_width": 5}, ((22, 25), (24, 20))),
+            ("plain", {"patch_width": 5, "votes": 2}, ((22, 25), (24, 20))),
             ("limited", {"error_limit": 2.0, "budget": 0.7}, ((17, 15), (14, 12))),
             ("masked", {"masked": True}, ((13, 15), (15, 17))),
         )

