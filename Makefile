@@ -10,6 +10,7 @@ DATA ?= data_gen/bundled
 SIZE ?= 1200x912
 PRESET ?= quick
 ARGS ?=
+WORKERS ?= 2
 
 .PHONY: eval schedules epsilon stylit spilling bench scenes test test-gpu ptx docs wheel lowest lint data help clean
 
@@ -40,8 +41,8 @@ data: $(VENV)/render.installed ## render scenes and styles: SIZE=1200x912, SCENE
 	$(BIN)/python -m data_gen --size "$(SIZE)" $(if $(SCENES),--scenes "$(SCENES)") $(ARGS)
 
 test: $(VENV)/test.installed ## all tests; those of the CUDA kernels in Numba's simulator
-	$(BIN)/python -m pytest $(ARGS)
-	NUMBA_ENABLE_CUDASIM=1 $(BIN)/python -m pytest tests/gpu_cuda
+	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal $(ARGS)
+	NUMBA_ENABLE_CUDASIM=1 $(BIN)/python -m pytest -n $(WORKERS) tests/gpu_cuda
 
 test-gpu: $(VENV)/gpu.installed $(VENV)/test.installed ## tests of the CUDA kernels on a GPU, and its times
 	$(BIN)/python -m pytest tests/gpu_cuda
@@ -84,5 +85,5 @@ docs: $(VENV)/docs.installed ## the site, build/site/index.html: docs, notebooks
 help:
 	@grep -E '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## */\t/'
 
-clean: ## remove the environment and cached runs
+clean: ## remove the environments and all of build/: cached runs, rendered scenes
 	rm -rf $(VENV) .venv-ptx build

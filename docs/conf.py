@@ -27,6 +27,7 @@ exclude_patterns = [".*", "build", "data_gen", "tests"]  # not looked into at al
 extensions = ["myst_nb", "numpydoc", "sphinx.ext.autodoc", "sphinx.ext.viewcode"]
 myst_enable_extensions = ["dollarmath", "amsmath"]  # notebooks have formulas
 myst_heading_anchors = 3
+smartquotes = False  # a flag keeps its two dashes
 numpydoc_show_class_members = False
 autodoc_member_order = "bysource"
 

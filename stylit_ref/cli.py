@@ -138,6 +138,8 @@ class _Weigh(argparse.Action):
     def __call__(self, parser, options, value, option_string=None):
         if not options.guide:
             parser.error(f"{option_string} {value:g}: must follow the --guide it weighs")
+        if len(options.guide) - 1 in options.weights:
+            parser.error(f"{option_string} {value:g}: the --guide before it has a weight already")
         options.weights = {**options.weights, len(options.guide) - 1: value}
 
 
@@ -292,6 +294,8 @@ def _run(options):
         name: getattr(options, name) for name in _METHOD if getattr(options, name) is not None
     }
     params = Params(**(PRESETS[options.preset] | chosen), guide_weights=weights)
+    if "levels" not in chosen:  # who did not ask for levels need not hear that there are fewer
+        warnings.filterwarnings("ignore", message=r"\d+ pyramid levels in place of")
     for name, methods in HEEDED_BY.items():
         if name in chosen and params.method not in methods:
             raise InputError(
@@ -308,6 +312,8 @@ def _run(options):
     mask = fill = None
     if options.mask:
         mask = read_uint8(options.mask).mean(axis=2) >= 128
+        if not mask.any():
+            warnings.warn(f"{options.mask}: no pixel is white, so none is left alone", stacklevel=2)
     if options.fill:
         if not options.mask:
             raise InputError("--fill needs a --mask that says which pixels to fill")

@@ -48,4 +48,4 @@ def write_example(folder):
     words = ["stylit-ref", "run", "--style", source / "styles" / "oil.png"]
     for guide in GUIDES:
         words += ["--guide", source / f"{guide}.png", target / f"{guide}.png"]
-    return shlex.join(map(str, [*words, "--output", "stylized.png"]))
+    return shlex.join(map(str, [*words, "--output", folder / "stylized.png"]))
