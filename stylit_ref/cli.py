@@ -312,8 +312,6 @@ def _run(options):
     mask = fill = None
     if options.mask:
         mask = read_uint8(options.mask).mean(axis=2) >= 128
-        if not mask.any():
-            warnings.warn(f"{options.mask}: no pixel is white, so none is left alone", stacklevel=2)
     if options.fill:
         if not options.mask:
             raise InputError("--fill needs a --mask that says which pixels to fill")
@@ -334,6 +332,8 @@ def _run(options):
         [options.output, options.nnf, options.save_levels, *_level_files(levels, params)],
         [options.style, options.mask, options.fill, *chain.from_iterable(options.guide)],
     )
+    if mask is not None and not mask.any():
+        warnings.warn(f"{options.mask}: no pixel is white, so none is left alone", stacklevel=2)
 
     def save_level(level, image):
         if levels:

@@ -473,3 +473,20 @@ def test_the_example_can_be_stylized(tmp_path, monkeypatch, capsys):
 def test_an_example_replaces_nothing(tmp_path, capsys):
     assert main(["example", str(tmp_path)]) == 2
     assert f"{tmp_path}: exists; name a new folder" in capsys.readouterr().err
+
+
+def test_what_changes_nothing_is_noted(scene, capsys):
+    folder = scene[0]
+    write_image(folder / "mask.png", np.zeros((38, 44, 1), np.uint8))
+    assert run(folder, "--mask", folder / "mask.png") == 0
+    assert "mask.png: no pixel is white, so none is left alone" in capsys.readouterr().err
+
+
+def test_fewer_levels_are_noted_where_levels_were_asked_for(scene, capsys):
+    folder, style, guide = scene[0], scene[0] / "style.png", scene[0] / "source_0.png"
+    command = ["run", "--style", f"{style}", "--guide", f"{guide}", f"{guide}"]
+    command += ["--preset", "fast", "--quiet", "--output", f"{folder / 'out.png'}"]
+    assert main(command) == 0
+    assert "pyramid levels" not in capsys.readouterr().err
+    assert main([*command, "--pyramid-levels", "9"]) == 0
+    assert "pyramid levels in place of 9" in capsys.readouterr().err
