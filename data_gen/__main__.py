@@ -40,7 +40,7 @@ def main(arguments=None):
     except KeyboardInterrupt:
         print("data_gen: interrupted; finished pieces are kept", file=sys.stderr)
         return 130
-    print(f"{folder}: {', '.join(made) if made else 'nothing'} made anew, the rest was there")
+    print(f"{folder}: {'made ' + ', '.join(made) if made else 'all of it is there already'}")
     return 0
 
 

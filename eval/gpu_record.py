@@ -26,6 +26,7 @@ from gpu_cuda.metric import launch_search
 from gpu_cuda.propagation import make_kernel as make_propagation_kernel
 from gpu_cuda.random_search import make_kernel as make_random_search_kernel
 from stylit_ref import InputError, Params, passes
+from stylit_ref.output_file import write_text
 
 UNIFORMITIES = (0, 5000, 10000)
 RUNS = 3
@@ -195,7 +196,7 @@ def main(arguments=None, settings=SETTINGS):
         for found in record(*images, settings):
             result["scenes"][-1] = {"scene": name} | found
             text = json.dumps(result, indent=1, ensure_ascii=False)
-            file.write_text(text + "\n", encoding="utf-8")
+            write_text(file, text + "\n")
     print(text)
     same = [same for scene in result["scenes"] for same in scene["identical to the CPU"].values()]
     return 0 if all(same) else 1

@@ -5,6 +5,7 @@ from pathlib import Path
 from markdown_it import MarkdownIt
 
 from eval.circumstances import circumstances
+from stylit_ref.output_file import write_text
 
 REPORTS = Path("reports")
 
@@ -62,8 +63,8 @@ def write_report(folder, title, sections):
         Markdown blocks.
     """
     text = "\n\n".join([f"# {title}", circumstances(), *sections]) + "\n"
-    (folder / "report.md").write_text(text, encoding="utf-8")
-    (folder / "report.html").write_text(html_page(title, text), encoding="utf-8")
+    write_text(folder / "report.md", text)
+    write_text(folder / "report.html", html_page(title, text))
 
 
 def table(frame):

@@ -12,7 +12,7 @@ from tqdm import tqdm
 from oracle.cases import STAGES, VERSIONS, damaged_files, folder_of, read_cases
 from oracle.check import FAILED, NOT_OFFERED, UNEXPECTED, CommandPort, ModulePort, check
 from stylit_ref.errors import InputError
-from stylit_ref.output_file import check_writable, whole_file
+from stylit_ref.output_file import check_writable, write_text
 
 SPEC = Path(__file__).with_name("SPEC.md")
 
@@ -81,9 +81,7 @@ def _write_report(file, version, code, counts, outcomes):
             for outcome in outcomes
         ],
     }
-    text = json.dumps(report, indent=1, ensure_ascii=False) + "\n"
-    with whole_file(file, len(text.encode())) as partial:
-        partial.write_text(text, encoding="utf-8")
+    write_text(file, json.dumps(report, indent=1, ensure_ascii=False) + "\n")
 
 
 def _stages(text):

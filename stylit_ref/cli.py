@@ -88,7 +88,8 @@ _METHOD = {
     "method": (
         "--method",
         str,
-        "ref, as in the thesis; guide_map, its approximation; or stylit, by an error budget",
+        "ref, as in the thesis; shared_memory, the same for a GPU; guide_map, its approximation; "
+        "or stylit, by an error budget",
     ),
     "uniformity": ("--uniformity", float, "λ, how evenly the style is used"),
     "guide_influence": ("--guide-influence", float, "μ, weight of the guides"),
@@ -100,7 +101,12 @@ _METHOD = {
         "search-vote iterations a level; 1,2,4 gives them from the finest level on",
     ),
     "patchmatch_iterations": ("--patchmatch-iters", int, "PatchMatch iterations a vote"),
-    "schedule": ("--schedule", str, "propose_commit (parallel) or scanline (sequential)"),
+    "schedule": (
+        "--schedule",
+        str,
+        "propose_commit (parallel) or scanline (sequential); on a GPU also live or live_sums, "
+        "where Ω changes meanwhile, as in the thesis",
+    ),
     "vote_outliers": ("--vote-outliers", int, "votes farthest from the mean that do not count"),
     "epsilon": (
         "--epsilon",

@@ -134,3 +134,16 @@ def whole_file(path, size):
             os.replace(partial, place)
     except OSError as error:
         raise InputError(f"{path}: cannot be written: {error.strerror or error}") from error
+
+
+def write_text(path, text):
+    """Write a text in UTF-8, whole or not at all.
+
+    Raises
+    ------
+    InputError
+        As :func:`whole_file`.
+    """
+    content = text.encode()
+    with whole_file(path, len(content)) as partial:
+        partial.write_bytes(content)

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from numbers import Integral, Real
-from typing import Literal
+from typing import Literal, get_args
 
 import numpy as np
 
@@ -165,8 +165,7 @@ Votes at coarse levels cost little and settle most of what the finest shows, so 
 them there.
 """
 
-METHODS = ("ref", "shared_memory", "guide_map", "stylit")
-SCHEDULES = ("propose_commit", "scanline", "live", "live_sums")
+METHODS, SCHEDULES = get_args(Method), get_args(Schedule)
 HEEDED_BY = {
     "uniformity": ("ref", "shared_memory", "guide_map"),
     "epsilon": ("guide_map",),

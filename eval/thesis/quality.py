@@ -12,7 +12,7 @@ from eval.spilling import spilling
 from eval.split_delta import split_delta
 from eval.usage import coverage, peak_usage, usage_entropy
 from stylit_ref import Params
-from stylit_ref.output_file import whole_file
+from stylit_ref.output_file import write_text
 
 STORE = Path("build/quality")
 
@@ -94,9 +94,7 @@ def stored_quality(job):
 def store_quality(job, numbers):
     """Keep the numbers of a run."""
     STORE.mkdir(parents=True, exist_ok=True)
-    text = json.dumps({"run": job.key, "numbers": numbers})
-    with whole_file(_file(job), len(text)) as partial:
-        partial.write_text(text, encoding="utf-8")
+    write_text(_file(job), json.dumps({"run": job.key, "numbers": numbers}))
 
 
 def _digest():
