@@ -11,6 +11,7 @@ SIZE ?= 1200x912
 PRESET ?= quick
 ARGS ?=
 WORKERS ?= 2
+PYTHONS ?= 3.11 3.12 3.13 3.14
 
 .PHONY: eval schedules epsilon stylit spilling bench scenes test test-gpu ptx docs wheel lowest lint data help clean
 
@@ -52,20 +53,25 @@ ptx: .venv-ptx/ptx.installed ## every CUDA kernel compiled, no GPU needed
 	.venv-ptx/bin/python -m eval.ptx_report
 
 DIST := build/dist
+UV := $(BIN)/uv --quiet --no-python-downloads
 TRY = rm -rf build/try && mkdir -p build/try && cd build/try && PATH="$(abspath $(1))/bin:$$PATH" && \
-	command=$$(stylit-ref example scenes) && eval "$$command --preset fast"
+	command=$$(stylit-ref example scenes) && eval "$$command --preset fast --quiet"
 
-wheel: $(VENV)/wheel.installed ## wheel and source, installed into an empty environment, and the example run
-	rm -rf $(DIST) build/empty
+wheel: $(VENV)/wheel.installed ## wheel and source made; the wheel in an empty environment of every Python there is
+	rm -rf $(DIST)
 	$(BIN)/python -m build --outdir $(DIST)
-	$(PYTHON) -m venv build/empty
-	build/empty/bin/python -m pip install --quiet --disable-pip-version-check $(DIST)/*.whl
-	$(call TRY,build/empty)
+	$(MAKE) $(PYTHONS:%=wheel-%)
 
-lowest: wheel ## the same with the least versions that pyproject.toml admits, and the oracle
-	rm -rf build/lowest
-	$(BIN)/uv venv --quiet --python build/empty/bin/python build/lowest
-	$(BIN)/uv pip install --quiet --python build/lowest --resolution lowest-direct $(DIST)/*.whl
+wheel-%: # what it needs must be there as wheels, whether this Python is at hand or not
+	$(UV) pip compile --python-version $* --only-binary :all: --extra render pyproject.toml >build/python$*.txt
+	if $(UV) python find $* >/dev/null 2>&1; then \
+		$(UV) venv --clear --python $* build/python$* && $(UV) pip install --python build/python$* $(DIST)/*.whl && $(call TRY,build/python$*); \
+	else echo "Python $*: not at hand, its wheels are"; fi
+
+lowest: wheel ## the source with the least versions that pyproject.toml admits, and the oracle
+	$(UV) venv --clear --python 3.11 build/lowest
+	$(UV) pip compile --python build/lowest --resolution lowest-direct pyproject.toml -o build/lowest.txt
+	$(UV) pip install --python build/lowest --constraint build/lowest.txt $(DIST)/*.tar.gz
 	$(call TRY,build/lowest)
 	build/lowest/bin/stylit-ref oracle check
 
