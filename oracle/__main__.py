@@ -6,7 +6,7 @@ import sys
 
 from tqdm import tqdm
 
-from oracle.cases import VERSIONS, folder_of, write_case, write_digests
+from oracle.cases import NEWEST, folder_of, write_case, write_digests
 from oracle.make import cases
 
 
@@ -15,7 +15,7 @@ def main(arguments=None):
     parser = argparse.ArgumentParser(prog="python -m oracle", description=__doc__)
     parser.add_argument("what", choices=["make"])
     parser.parse_args(arguments)
-    folder = folder_of(VERSIONS[-1])
+    folder = folder_of(NEWEST)
     if (folder / "SHA256SUMS").exists():
         print(
             f"oracle: {folder.name} has its SHA256SUMS and never changes; add a version to "
@@ -23,11 +23,17 @@ def main(arguments=None):
             file=sys.stderr,
         )
         return 2
+    if not (folder / "case.schema.json").exists():
+        print(
+            f"oracle: {folder} needs its case.schema.json; begin with that of the version before",
+            file=sys.stderr,
+        )
+        return 2
     for stage in folder.glob("*/"):
         shutil.rmtree(stage)
     for case in tqdm(cases(), unit="case", disable=None):
         write_case(case)
-    write_digests(folder.name)
+    write_digests(NEWEST)
     return 0
 
 

@@ -2,13 +2,15 @@
 
 import hashlib
 import json
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
 VERSIONS = ("v1",)
 """A version never changes; what would change it is the next one."""
+
+NEWEST = VERSIONS[-1]
 
 SECTIONS = {
     "philox": "4",
@@ -43,6 +45,10 @@ first that fails is the one to mend."""
 STAGES = tuple(SECTIONS)
 
 
+class CaseError(Exception):
+    """One sentence on an array that cannot be read, or on a port that gives none."""
+
+
 @dataclass(frozen=True)
 class Case:
     """A stage, its input, and what it must give.
@@ -52,27 +58,23 @@ class Case:
     version : str
         One of :data:`VERSIONS`.
     stage, name : str
+    section : str
+        Of SPEC.md.
     parameters : dict
         Numbers, text and lists.
-    arrays, expected : dict of str to array
     tolerances : dict of str to float
         Relative, of expected arrays that need not be equal bit for bit.
-    section : str
-        Of SPEC.md; that of :data:`SECTIONS` if not given.
+    arrays, expected : dict of str to array
     """
 
     version: str
     stage: str
     name: str
+    section: str
     parameters: dict
+    tolerances: dict[str, float]
     arrays: dict[str, np.ndarray]
     expected: dict[str, np.ndarray]
-    tolerances: dict[str, float] = field(default_factory=dict)
-    section: str = ""
-
-    def __post_init__(self):
-        if not self.section:
-            object.__setattr__(self, "section", SECTIONS[self.stage])
 
     @property
     def title(self):
@@ -83,6 +85,12 @@ class Case:
 def folder_of(version):
     """Where the cases of a version lie."""
     return Path(__file__).with_name(version)
+
+
+def spec_of(version):
+    """The text that the cases of a version pin: an older one's is kept among them."""
+    folder = folder_of(version)
+    return (folder.parent if version == NEWEST else folder) / "SPEC.md"
 
 
 def write_input(case, folder):
@@ -116,7 +124,7 @@ def write_digests(version):
 
 
 def damaged_files(version):
-    """Files of a version that are missing or differ from its digests.
+    """Files of a version that are missing, differ from its digests, or have none.
 
     Returns
     -------
@@ -124,12 +132,17 @@ def damaged_files(version):
         What is wrong with each.
     """
     folder, damaged = folder_of(version), {}
-    for line in (folder / "SHA256SUMS").read_text(encoding="utf-8").splitlines():
-        digest, name = line.split("  ", 1)
+    lines = (folder / "SHA256SUMS").read_text(encoding="utf-8").splitlines()
+    digests = {name: digest for digest, name in (line.split("  ", 1) for line in lines)}
+    for name, digest in digests.items():
         if not (folder / name).is_file():
             damaged[name] = "is missing"
         elif _sha256(folder / name) != digest:
             damaged[name] = "differs from SHA256SUMS"
+    for file in _files(folder):  # what is no part of a case, as .DS_Store, does no harm
+        name = file.relative_to(folder).as_posix()
+        if file.suffix in (".json", ".npy") and name not in digests:
+            damaged[name] = "is not in SHA256SUMS"
     return damaged
 
 
@@ -142,11 +155,11 @@ def read_cases(version, stages=STAGES):
                 description["version"],
                 stage,
                 description["name"],
+                description["section"],
                 description["parameters"],
+                description["tolerances"],
                 _read_arrays(file.parent),
                 _read_arrays(file.parent / "expected"),
-                description["tolerances"],
-                description["section"],
             )
 
 
@@ -155,15 +168,18 @@ def read_array(file):
 
     Raises
     ------
-    ValueError
+    CaseError
         If there is none.
     """
+    if not file.exists():
+        raise CaseError(f"{file.name} is not there")
+    if not file.is_file():  # a pipe would be waited for
+        raise CaseError(f"{file.name} is no file")
     try:
-        return np.load(file, allow_pickle=False)
-    except FileNotFoundError:
-        raise ValueError(f"{file.name} is not there") from None
-    except (OSError, ValueError, EOFError) as error:
-        raise ValueError(f"{file.name} cannot be read as an array: {error}") from None
+        with file.open("rb") as stream:
+            return np.lib.format.read_array(stream, allow_pickle=False)
+    except Exception as error:  # whatever the text of a header brings NumPy's parser to
+        raise CaseError(f"{file.name} cannot be read as an array: {error}") from None
 
 
 def _read_arrays(folder):

@@ -15,7 +15,7 @@ SEARCH = {
 
 
 def stylit_inputs(rng):
-    """Stage, name, parameters, arrays and tolerances of every case."""
+    """Stage, name, parameters and arrays of every case."""
     yield from _budgets(rng)
     yield from _knees(rng)
     for number, (name, differences) in enumerate(
@@ -42,8 +42,8 @@ def stylit_inputs(rng):
     ):
         scene = Scene(500, uniformity=0.0, **differences)
         arrays = scene.only("source", "target", "weights", "nnf", "delta")
-        yield "stylit_search", name, scene.metric | SEARCH | search, arrays, {}
-    yield "stylit_search", "exact_share", *_exact_share(), {}
+        yield "stylit_search", name, scene.metric | SEARCH | search, arrays
+    yield "stylit_search", "exact_share", *_exact_share()
     own = {"budget": 0.9, "fixed_share": 0.95, "error_limit": None}
     for number, (name, differences, sizes) in enumerate(
         (
@@ -54,15 +54,15 @@ def stylit_inputs(rng):
     ):
         parameters = RUN | own | differences
         arrays = run_arrays(600 + number, sizes, parameters)
-        yield "stylit_run", name, parameters, arrays, {}
+        yield "stylit_run", name, parameters, arrays
 
 
 def _budgets(rng):
     errors = np.sort(rng.integers(0, 1 << 40, 200))
     for share in (0.5, 0.9, 1.0, 1e-9):
-        yield "budget", f"share_{share:g}", {"share": share}, {"errors": errors}, {}
-    yield "budget", "rounded_sums", *_rounded_sums(rng), {}
-    yield "budget", "all_zero", {"share": 0.9}, {"errors": np.zeros(5, np.int64)}, {}
+        yield "budget", f"share_{share:g}", {"share": share}, {"errors": errors}
+    yield "budget", "rounded_sums", *_rounded_sums(rng)
+    yield "budget", "all_zero", {"share": 0.9}, {"errors": np.zeros(5, np.int64)}
 
 
 def _rounded_sums(rng):
@@ -93,7 +93,7 @@ def _knees(rng):
     ends = rng.uniform(0.5, 4, 20), rng.uniform(0.05, 0.45, 20)
     a = np.array([*ends[0], 1.0, 1.0])
     b = np.array([*(ends[0] - ends[1]), 0.0, 0.4])
-    yield "knee", "ends", {}, {"a": a, "b": b}, {"x": 1e-12}
+    yield "knee", "ends", {}, {"a": a, "b": b}
 
 
 def _random_claims(scene, rng):
@@ -109,7 +109,7 @@ def _inversion(name, scene, rng):
     delta = rng.integers(0, 6, scene.arrays["delta"].shape)
     given["delta"] = np.where(given["nnf"][:, :, 0] < 0, 0, delta)
     parameters = {"patch_width": scene.metric["patch_width"]}
-    yield "invert_nnf", name, parameters, given, {}
+    yield "invert_nnf", name, parameters, given
 
 
 def _settlement(name, scene, rng):
@@ -120,4 +120,4 @@ def _settlement(name, scene, rng):
     parameters = {
         "patch_width": scene.metric["patch_width"], "last_error": 4, "last_claims": 3,
     }  # fmt: skip
-    yield "settle", name, parameters, given, {}
+    yield "settle", name, parameters, given
