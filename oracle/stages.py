@@ -15,6 +15,7 @@ from stylit_ref.formulae.bounded_metric import make_delta_bound
 from stylit_ref.formulae.commit_classes import commit_order
 from stylit_ref.formulae.guide_map import scaled_variance
 from stylit_ref.formulae.patch_moments import LINE_LANES
+from stylit_ref.formulae.patch_penalization import penalization
 from stylit_ref.formulae.philox import philox4x32
 from stylit_ref.formulae.random_stream import (
     COMMIT_ORDER,
@@ -31,26 +32,34 @@ from stylit_ref.texture_optimization import texture_optimization
 METHODS_OWN = "uniformity", "epsilon", "budget", "fixed_share", "error_limit"
 """Parameters that only some methods have."""
 
+_LEVEL = "upload", "zeros", "repeat_edge", "moments_storage", "patch_moments"
+_GUIDE_MAP = *_LEVEL, "download", "means", "guide_map"
+_SEARCH = *_LEVEL, "propagation", "random_search", "commit"
+_RUN = (
+    *_SEARCH, "download", "random_nnf", "downsample", "upsample_nnf", "occurrence_map", "vote",
+    "similarity", "energy",
+)  # fmt: skip
+
 NEEDS = {
-    "random_nnf": ("random_nnf",),
-    "downsample": ("downsample",),
-    "upsample_nnf": ("upsample_nnf",),
-    "occurrence": ("occurrence_map",),
-    "delta": ("similarity",),
-    "guide_map": ("means", "guide_map"),
-    "white_delta": ("means", "guide_map", "similarity"),
-    "propagation": ("propagation",),
-    "random_search": ("random_search",),
-    "commit": ("commit",),
-    "iteration": ("propagation", "random_search", "commit"),
-    "vote": ("vote",),
-    "level": ("vote", "similarity", "propagation", "random_search", "commit"),
-    "run": ("random_nnf", "vote", "similarity", "propagation", "random_search", "commit"),
-    "lower_bound": ("patch_moments",),
+    "random_nnf": ("upload", "download", "random_nnf"),
+    "downsample": ("upload", "download", "downsample"),
+    "upsample_nnf": ("upload", "download", "upsample_nnf"),
+    "occurrence": ("upload", "download", "zeros", "occurrence_map"),
+    "delta": (*_LEVEL, "download", "similarity"),
+    "guide_map": _GUIDE_MAP,
+    "white_delta": (*_GUIDE_MAP, "similarity"),
+    "propagation": (*_LEVEL, "download", "propagation"),
+    "random_search": (*_LEVEL, "download", "random_search"),
+    "commit": ("upload", "download", "zeros", "commit"),
+    "iteration": (*_SEARCH, "download"),
+    "vote": ("upload", "download", "vote"),
+    "level": (*_SEARCH, "download", "occurrence_map", "vote", "similarity"),
+    "run": (*_RUN, "means", "guide_map"),
+    "lower_bound": _LEVEL,
     "invert_nnf": ("invert_nnf",),
     "settle": ("settle_claims",),
-    "stylit_search": ("propagation", "random_search", "commit", "settle_claims"),
-    "stylit_run": ("random_nnf", "vote", "propagation", "random_search", "settle_claims"),
+    "stylit_search": (*_SEARCH, "random_nnf", "similarity", "invert_nnf", "settle_claims"),
+    "stylit_run": (*_RUN, "invert_nnf", "settle_claims"),
 }
 """Passes of every stage; what is not here is done by formulae of the library alone."""
 
@@ -59,8 +68,9 @@ def is_offered(stage, passes):
     """Whether a stage checks this module: it has the passes, or all of it is the library's own."""
     if passes is library_passes:
         return True
-    bounds = stage != "lower_bound" or passes.moments_storage(1, 1, LINE_LANES) is not None
-    return stage in NEEDS and all(hasattr(passes, name) for name in NEEDS[stage]) and bounds
+    if stage not in NEEDS or not all(hasattr(passes, name) for name in NEEDS[stage]):
+        return False
+    return stage != "lower_bound" or passes.moments_storage(1, 1, LINE_LANES) is not None
 
 
 def run_case(stage, parameters, arrays, passes):
@@ -142,12 +152,13 @@ def _delta(passes, parameters, arrays):
     return found
 
 
-def _phi(passes, parameters, arrays):
-    nnf = arrays["nnf"]
-    assigned = nnf[:, :, 0] >= 0
-    sums = arrays["omega_sums"][nnf[:, :, 0], nnf[:, :, 1]].astype(np.int64)
-    phi = arrays["delta"] + parameters["occurrence_weight"] * sums
-    return {"phi": np.where(assigned, phi, 0)}
+def _phi(_, parameters, arrays):
+    nnf, weight = arrays["nnf"], parameters["occurrence_weight"]
+    phi = np.zeros_like(arrays["delta"])
+    for y, x in np.argwhere(nnf[:, :, 0] >= 0):
+        penalty = penalization(arrays["omega_sums"], weight, *nnf[y, x])
+        phi[y, x] = penalty + arrays["delta"][y, x]
+    return {"phi": phi}
 
 
 def _guide_map(passes, parameters, arrays):
