@@ -1,6 +1,7 @@
 """Does a port give what it must? If not, the first stage, pixel and value that differ."""
 
 import contextlib
+import math
 import os
 import shlex
 import shutil
@@ -8,17 +9,18 @@ import signal
 import subprocess
 import tempfile
 from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
 from fnmatch import fnmatchcase
 from functools import partial
 from importlib import import_module
-from multiprocessing import get_context
+from multiprocessing import active_children, get_context
 from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 
-from oracle import stages as library_stages
-from oracle.cases import STAGES, read_array, read_cases, write_input
+from oracle.cases import STAGES, CaseError, read_array, read_cases, write_input
+from oracle.stages import NEEDS, is_offered, run_case
 from stylit_ref.errors import InputError
 
 PASSED, FAILED, NOT_OFFERED, EXPECTED, UNEXPECTED = (
@@ -30,8 +32,16 @@ PASSED, FAILED, NOT_OFFERED, EXPECTED, UNEXPECTED = (
 )
 
 
+TIMEOUT = 60
+"""Seconds that a program may take for a case where nobody says otherwise."""
+
+
 class NotOfferedError(Exception):
     """A port does not do a stage."""
+
+
+class NoProgramError(InputError):
+    """A port cannot be started, whatever the case."""
 
 
 class Difference(NamedTuple):
@@ -45,6 +55,7 @@ class Difference(NamedTuple):
     index : list of int or None
         The first element that differs.
     found, expected : int, float, bool or None
+        None also for what is no finite number: JSON has none, the message says it.
     """
 
     message: str
@@ -97,11 +108,59 @@ def check(port, version, stages=STAGES, expected_failures=(), jobs=1):
     """
     one = partial(_outcome, port, expected_failures)
     cases = read_cases(version, stages)
-    if jobs == 1:
-        yield from map(one, cases)
-        return
-    with ProcessPoolExecutor(jobs, get_context("spawn")) as pool:
-        yield from pool.map(one, cases)
+    yield from map(one, cases) if jobs == 1 else _shared(one, cases, jobs)
+
+
+def _shared(one, cases, jobs):
+    """As map, by several processes; none of them is left, nor a program that they run."""
+    others = set(active_children())
+    pool = ProcessPoolExecutor(jobs, get_context("spawn"), _begin_worker)
+    try:
+        with _without_interruption():
+            outcomes = pool.map(partial(_by_worker, one), cases)
+        yield from outcomes
+    except BrokenProcessPool:
+        raise InputError(
+            "the module ended the process it ran in; what does so is checked as a program, --port"
+        ) from None
+    finally:
+        workers = set(active_children()) - others
+        pool.shutdown(wait=False, cancel_futures=True)
+        for worker in workers:
+            worker.terminate()
+        for worker in workers:
+            worker.join(5)
+            worker.kill()
+
+
+@contextlib.contextmanager
+def _without_interruption():
+    """Ctrl-C waits meanwhile, and does not strike processes that begin here."""
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+def _begin_worker():
+    """Ctrl-C strikes all processes of a terminal: the first of them ends the others by SIGTERM.
+
+    A handler of its own, as programs that a worker runs would inherit that a signal is ignored.
+    """
+    signal.signal(signal.SIGINT, lambda *_: None)
+    signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
+
+
+def _by_worker(one, case):
+    """What one makes of a case; SIGTERM ends the worker when the program it runs is gone."""
+    try:
+        signal.signal(signal.SIGTERM, signal.default_int_handler)
+        return one(case)
+    except KeyboardInterrupt:
+        os._exit(130)
+    finally:
+        signal.signal(signal.SIGTERM, signal.SIG_DFL)
 
 
 def _outcome(port, expected_failures, case):
@@ -112,9 +171,13 @@ def _outcome(port, expected_failures, case):
         status = FAILED if difference else PASSED
     except NotOfferedError:
         status = NOT_OFFERED
-    except (Exception, SystemExit) as error:
-        difference = Difference(f"{type(error).__name__}: {error}")
-        status = FAILED
+    except NoProgramError:
+        raise
+    except CaseError as error:
+        difference, status = Difference(str(error)), FAILED
+    except (Exception, SystemExit) as error:  # a module's own may say anything
+        message = f"{type(error).__name__}: {error}".encode(errors="backslashreplace").decode()
+        difference, status = Difference(message), FAILED
     if expected:
         status = {FAILED: EXPECTED, PASSED: UNEXPECTED}.get(status, status)
     return Outcome(case.stage, case.name, case.section, status, difference)
@@ -143,11 +206,12 @@ def _difference(name, found, expected, tolerance):
         return None
     index = tuple(int(axis[0]) for axis in np.nonzero(np.atleast_1d(differs)))
     values = [np.atleast_1d(array)[index].item() for array in (found, expected)]
+    finite = [value if math.isfinite(value) else None for value in values]
     place = f"[{', '.join(map(str, index))}]" if expected.ndim else ""
     message = "{}{} is {}; it must be {} ({} of {} differ)".format(
         name, place, *values, int(differs.sum()), expected.size
     )
-    return Difference(message, name, list(index), *values)
+    return Difference(message, name, list(index), *finite)
 
 
 class CommandPort:
@@ -162,10 +226,12 @@ class CommandPort:
     Raises
     ------
     InputError
-        If the command lacks one of them, or there is no such program.
+        If the command lacks one of them, there is no such program, or no such time.
     """
 
-    def __init__(self, command, timeout=60):
+    def __init__(self, command, timeout=TIMEOUT):
+        if not timeout > 0:
+            raise InputError(f"timeout is {timeout:g}; it must be above 0")
         if "{input}" not in command or "{output}" not in command:
             raise InputError(f"port {command!r} must name {{input}} and {{output}}")
         try:
@@ -197,22 +263,40 @@ def _filled(word, places):
 def _run(words, log, timeout):
     """Run a program and whatever it starts, for so long; what it says goes to a file."""
     with log.open("wb") as said:
-        program = subprocess.Popen(
-            words, stdin=subprocess.DEVNULL, stdout=said, stderr=said, start_new_session=True
-        )
+        try:
+            program = subprocess.Popen(
+                words, stdin=subprocess.DEVNULL, stdout=said, stderr=said, start_new_session=True
+            )
+        except OSError as error:
+            raise NoProgramError(f"{words[0]} cannot be started: {error.strerror}") from None
         try:
             code = program.wait(timeout)
         except subprocess.TimeoutExpired:
-            raise RuntimeError(f"no end after {timeout:g} s") from None
+            raise CaseError(f"no end after {timeout:g} s") from None
         finally:
             with contextlib.suppress(ProcessLookupError):
                 os.killpg(program.pid, signal.SIGKILL)
             program.wait()
     if code:
-        end = f"signal {signal.Signals(-code).name}" if code < 0 else f"exit code {code}"
-        lines = log.read_text(encoding="utf-8", errors="replace").split("\n")
-        last = " | ".join([line.strip() for line in lines if line.strip()][-3:])
-        raise RuntimeError(f"{end}: {last}" if last else end)
+        last = _last_words(log)
+        raise CaseError(f"{_end(code)}: {last}" if last else _end(code))
+
+
+def _end(code):
+    """How a program ended; some signals have no name."""
+    if code > 0:
+        return f"exit code {code}"
+    names = {known.value: known.name for known in signal.Signals}
+    return f"signal {names.get(-code, -code)}"
+
+
+def _last_words(log):
+    """The last three lines of a file, or what a reader has patience for."""
+    with log.open("rb") as said:
+        said.seek(max(0, log.stat().st_size - 4096))
+        text = said.read().decode(errors="replace")
+    last = " | ".join([line.strip() for line in text.split("\n") if line.strip()][-3:])
+    return last if len(last) <= 300 else f"...{last[-300:]}"
 
 
 class ModulePort:
@@ -236,15 +320,20 @@ class ModulePort:
             module = import_module(name)
         except (Exception, SystemExit) as error:
             what = f"{type(error).__name__}: {error}"
-            raise InputError(f"{name}: cannot be imported: {what}") from None
-        needed = {need for needs in library_stages.NEEDS.values() for need in needs}
+            raise InputError(f"module {name!r} cannot be imported: {what}") from None
+        needed = {need for needs in NEEDS.values() for need in needs}
         if not hasattr(module, "run_case") and not any(hasattr(module, need) for need in needed):
-            raise InputError(f"{name}: offers neither run_case nor a pass of this library")
+            raise InputError(f"module {name!r} offers neither run_case nor a pass of this library")
 
     def __call__(self, case):
         module = import_module(self.name)
-        if hasattr(module, "run_case"):
-            return module.run_case(case.stage, case.parameters, dict(case.arrays))
-        if not library_stages.is_offered(case.stage, module):
-            raise NotOfferedError
-        return library_stages.run_case(case.stage, case.parameters, dict(case.arrays), module)
+        if not hasattr(module, "run_case"):
+            if not is_offered(case.stage, module):
+                raise NotOfferedError
+            return run_case(case.stage, case.parameters, dict(case.arrays), module)
+        found = module.run_case(case.stage, case.parameters, dict(case.arrays))
+        if not isinstance(found, dict):
+            raise CaseError(
+                f"run_case returned {type(found).__name__}; it must be a dict of arrays"
+            )
+        return found

@@ -135,6 +135,8 @@ _FLAGS = {name: flag for name, (flag, _, _) in _METHOD.items()} | {
     "backend": "--backend",
     "seed": "--seed",
     "threads": "--threads",
+    "jobs": "--jobs",
+    "timeout": "--timeout",
 }
 
 
@@ -251,7 +253,7 @@ def _parser():
         "differ. Without one, this library's own passes are checked.",
         allow_abbrev=False,
     )
-    check.set_defaults(command=lambda options: _oracle().check_port(options))
+    check.set_defaults(command=_check_port)
     check.add_argument(
         "--port", metavar="COMMAND",
         help="runs the port on the case in folder {input}, its results go to folder {output}",
@@ -261,8 +263,8 @@ def _parser():
         help="Python module with run_case(stage, parameters, arrays), or with the passes",
     )  # fmt: skip
     check.add_argument(
-        "--timeout", type=float, default=60, metavar="SECONDS",
-        help="longest that the port may take for a case (default %(default)s)",
+        "--timeout", type=float, metavar="SECONDS",
+        help="longest that a --port may take for a case (default 60)",
     )  # fmt: skip
     check.add_argument(
         "--jobs", type=int, default=1, metavar="N",
@@ -285,13 +287,9 @@ def _parser():
     return parser
 
 
-def _oracle():
-    try:
-        return import_module("oracle.command")
-    except ModuleNotFoundError as error:
-        if error.name != "oracle":
-            raise
-        raise InputError("the oracle is not installed with this package") from None
+def _check_port(options):
+    """The library knows no oracle: it is imported where it is asked for."""
+    return import_module("oracle.command").check_port(options)
 
 
 def _run(options):
