@@ -135,12 +135,18 @@ def _shared(one, cases, jobs):
 
 @contextlib.contextmanager
 def _without_interruption():
-    """Ctrl-C waits meanwhile, and does not strike processes that begin here."""
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    """Ctrl-C and SIGTERM wait: they would leave a process half begun, or strike it as it begins."""
+    signals, waiting = (signal.SIGINT, signal.SIGTERM), []
+    handlers = [signal.signal(one, lambda number, _: waiting.append(number)) for one in signals]
+    mask = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})  # processes inherit it
     try:
         yield
     finally:
-        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+        signal.pthread_sigmask(signal.SIG_SETMASK, mask)
+        for number, handler in zip(signals, handlers, strict=True):
+            signal.signal(number, handler)
+        for number in waiting:
+            signal.raise_signal(number)
 
 
 def _begin_worker():
@@ -155,12 +161,18 @@ def _begin_worker():
 def _by_worker(one, case):
     """What one makes of a case; SIGTERM ends the worker when the program it runs is gone."""
     try:
-        signal.signal(signal.SIGTERM, signal.default_int_handler)
+        signal.signal(signal.SIGTERM, _interrupt_once)
         return one(case)
     except KeyboardInterrupt:
         os._exit(130)
     finally:
         signal.signal(signal.SIGTERM, signal.SIG_DFL)
+
+
+def _interrupt_once(*_):
+    """As Ctrl-C; another one must not strike who tidies up."""
+    signal.signal(signal.SIGTERM, signal.SIG_IGN)
+    raise KeyboardInterrupt
 
 
 def _outcome(port, expected_failures, case):
