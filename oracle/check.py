@@ -99,12 +99,18 @@ def check(port, version, stages=STAGES, expected_failures=(), jobs=1):
     expected_failures : set of str
         Titles of cases that must fail, ``*`` standing for anything.
     jobs : int
-        Processes that share the cases; with more than one the port is sent to them.
+        Processes that share the cases; with more than one the port is sent to them, and only a
+        main thread may ask for it.
 
     Yields
     ------
     Outcome
         In the order of the cases.
+
+    Raises
+    ------
+    InputError
+        If the port cannot be started, or ended the process of the checker it ran in.
     """
     one = partial(_outcome, port, expected_failures)
     cases = read_cases(version, stages)
