@@ -497,6 +497,9 @@ def test_an_interruption_leaves_neither_process_nor_folder(number, tmp_path):
     try:
         while len(list(pids.iterdir())) < 3 and checker.poll() is None:
             time.sleep(0.1)
+        children = Path(f"/proc/{checker.pid}/task/{checker.pid}/children")
+        for worker in children.read_text(encoding="utf-8").split():
+            os.kill(int(worker), signal.SIGINT)  # it is for the checker to heed
         time.sleep(0.5)
         os.killpg(checker.pid, number)  # as a terminal does: the checker and its workers
         said = checker.communicate(timeout=30)[1]
