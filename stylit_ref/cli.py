@@ -13,7 +13,7 @@ from tqdm import tqdm
 from stylit_ref import __version__
 from stylit_ref.backends import BACKENDS, cuda_report
 from stylit_ref.checks import check_guides, check_mask
-from stylit_ref.errors import InputError
+from stylit_ref.errors import InputError, one_line
 from stylit_ref.example import write_example
 from stylit_ref.image_io import (
     check_image_writable,
@@ -48,7 +48,7 @@ def main(arguments=None):
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("always", UserWarning)
-            warnings.showwarning = lambda message, *_: print(f"note: {message}", file=sys.stderr)
+            warnings.showwarning = _note
             return options.command(options) or 0
     except InputError as error:
         name, space, rest = str(error).partition(" ")  # a parameter goes by its flag here
@@ -62,11 +62,15 @@ def main(arguments=None):
         return 130
 
 
+def _note(message, *_):
+    print(f"note: {one_line(str(message))}", file=sys.stderr)
+
+
 class _Parser(argparse.ArgumentParser):
     """Refuses in one sentence, as everything else does."""
 
     def error(self, message):
-        self.exit(2, f"{self.prog}: {message} (--help shows the options)\n")
+        self.exit(2, f"{self.prog}: {one_line(message)} (--help shows the options)\n")
 
 
 def _votes(text):

@@ -17,7 +17,7 @@ def listed(text):
     """The page with the lists under their headings as the tests have them."""
     for heading, cases in LISTS.items():
         before, _, after = re.split(rf"(?<={heading}\n\n)((?:\|.*\n)*)", text)
-        text = f"{before}{table(cases)}\n{after}"
+        text = f"{before}{table(cases)}\n\n{after.lstrip()}"
     return text
 
 

@@ -274,6 +274,16 @@ def line_break(folder):
     yield ["--style", folder / "a\nb.png"]
 
 
+@case("a name that would act on the terminal", "a�[31m b λ 猫.png: no such file")
+def terminal_codes(folder):
+    yield ["--style", folder / "a\x1b[31m\rb\u3000λ 猫.png"]
+
+
+@case("an option that would act on the terminal", "unrecognized arguments: --a b� …")
+def terminal_codes_as_option(folder):
+    yield ["--a\rb\x07"]
+
+
 @case("a name with a line break", "used as it is", 0)
 def good_line_break(folder):
     (folder / "style.png").rename(folder / "a\nb.png")

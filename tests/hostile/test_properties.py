@@ -45,7 +45,7 @@ def refusal(call, *arguments, **options):
         except InputError as error:
             sentence = str(error)
     assert sentence
-    assert sentence.isprintable() or "\n" not in sentence
+    assert sentence.isprintable()
     assert "Traceback" not in sentence
     return None, sentence
 
