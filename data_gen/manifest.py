@@ -8,6 +8,7 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 NAME = "manifest.json"
+_PARTIAL = NAME + ".partial"
 _MADE_WITH = (
     "mitsuba", "drjit", "mitsuba-oidn", "numpy", "scipy", "scikit-image", "matplotlib",
     "OpenImageIO", "imageio", "pillow",
@@ -83,12 +84,12 @@ class Manifest:
         Raises
         ------
         DataError
-            If the folder holds something and no manifest.
+            If the folder holds something and no manifest, but for what a killed :meth:`save` left.
         """
         folder = Path(folder)
         if (folder / NAME).exists():
             return cls.read(folder)
-        if folder.exists() and any(folder.iterdir()):
+        if folder.exists() and any(file.name != _PARTIAL for file in folder.iterdir()):
             raise DataError(f"{folder}: holds files and no {NAME}; choose an empty folder")
         return cls(folder, {}, {})
 
@@ -147,7 +148,7 @@ class Manifest:
         """Write it, whole or not at all; makes the folder."""
         self.folder.mkdir(parents=True, exist_ok=True)
         content = {"recipe": self.recipe, "pieces": dict(sorted(self.pieces.items()))}
-        partial = self.folder / (NAME + ".partial")
+        partial = self.folder / _PARTIAL
         try:
             partial.write_text(json.dumps(content, indent=1) + "\n")
             os.replace(partial, self.folder / NAME)

@@ -128,6 +128,12 @@ def test_a_recipe_tells_settings_apart(other):
     assert recipe(**settings) != recipe(**settings | other)
 
 
+def test_what_a_killed_process_left_of_a_manifest_is_no_file_of_somebody_else(tmp_path):
+    (tmp_path / "manifest.json.partial").write_text("{")
+    Manifest.open(tmp_path).save()
+    assert [file.name for file in tmp_path.iterdir()] == ["manifest.json"]
+
+
 def test_a_folder_of_somebody_else_is_refused(tmp_path):
     (tmp_path / "source").mkdir()
     with pytest.raises(DataError, match="choose an empty folder"):
