@@ -88,10 +88,7 @@ def main(arguments=None):
             schedules_report(scene, folder, seeds, options.uniformities, not options.numbers)
         elif options.report == "bench":
             bench(scene, folder, options.ebsynth)
-    except InputError as error:
-        print(f"eval: {error}", file=sys.stderr)
-        return 2
-    except OSError as error:
+    except (InputError, OSError) as error:
         print(f"eval: {error}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
