@@ -54,6 +54,9 @@ RUN_KILLED = Listed(
 )
 DAMAGED_KERNELS = Listed("damaged files of compiled kernels", "compiled and kept anew", 0)
 FULL_FOR_KERNELS = Listed("no room for compiled kernels", "compiled by every process", 0)
+EXAMPLE_FULL = Listed(
+    "`example` on a full disk", "new/scenes: cannot be written: No space left on device"
+)
 EVAL_FULL = Listed(
     "`make eval` on a full disk",
     "build/runs/…: cannot be written: it may need … MiB and … MiB are free",
@@ -167,6 +170,17 @@ def test_run_on_a_full_disk(files, small_disk):
     assert not list(disk.iterdir())
     enlarge()
     with started(*command(files, disk, *SHORT), folder=disk) as process:
+        assert done(process)[0] == 0
+
+
+def test_example_on_a_full_disk(small_disk):
+    disk, enlarge = small_disk
+    example = "stylit_ref.cli", "example", disk / "new" / "scenes"
+    with started(*example, folder=disk) as process:
+        EXAMPLE_FULL.check(*done(process), disk)
+    assert not list(disk.iterdir())
+    enlarge()
+    with started(*example, folder=disk) as process:
         assert done(process)[0] == 0
 
 
