@@ -23,7 +23,14 @@ from stylit_ref.image_io import (
     write_image,
 )
 from stylit_ref.interruption import heed_interruptions
-from stylit_ref.output_file import check_distinct, check_folder, check_writable, whole_file
+from stylit_ref.output_file import (
+    check_distinct,
+    check_folder,
+    check_regular,
+    check_writable,
+    real_path,
+    whole_file,
+)
 from stylit_ref.params import HEEDED_BY, PRESETS, Params
 from stylit_ref.profiling import Profile
 from stylit_ref.replaying import replay
@@ -387,6 +394,7 @@ def _run(options):
 
 def _replay(options):
     style = read_image(options.style)
+    check_regular(real_path(options.nnf))
     try:
         # Mapped first: the file is as long as its header says, before memory is taken.
         nnf = np.array(np.lib.format.open_memmap(options.nnf, mode="r"), order="C")
@@ -405,7 +413,9 @@ _LEVEL, _GUIDE_MAP = "level_{}.png", "guide_map_{}.png"
 
 def _level_files(folder, params):
     """What ``--save-levels`` may write."""
-    names = (_LEVEL, _GUIDE_MAP) if folder else ()
+    if not folder:
+        return []
+    names = (_LEVEL, _GUIDE_MAP) if params.method == "guide_map" else (_LEVEL,)
     return [folder / name.format(k + 1) for name in names for k in range(params.levels)]
 
 

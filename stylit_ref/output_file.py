@@ -1,6 +1,7 @@
 """Output files that appear whole or not at all."""
 
 import os
+import secrets
 import shutil
 from contextlib import contextmanager
 from pathlib import Path
@@ -41,8 +42,20 @@ def check_writable(path):
         raise InputError(f"{path}: the folder {place.parent} does not exist")
     if place.is_dir():
         raise InputError(f"{path}: is a folder; name a file")
+    check_regular(path)
     if not os.access(place.parent, os.W_OK) or (place.exists() and not os.access(place, os.W_OK)):
         raise InputError(f"{path}: cannot be written: permission denied")
+
+
+def check_regular(path):
+    """Refuse a device or a pipe: one can wait for ever, and writing would replace it by a file.
+
+    Raises
+    ------
+    InputError
+    """
+    if Path(path).exists() and not Path(path).is_file():
+        raise InputError(f"{path}: is no regular file")
 
 
 def check_folder(folder):
@@ -73,7 +86,7 @@ def check_folder(folder):
 def temporary_name(path):
     """A name beside ``path`` with its suffix; the file of that name is gone afterwards."""
     path = Path(path)
-    name = path.with_name(f".{os.getpid()}{path.suffix}")
+    name = path.with_name(f".{secrets.token_hex(8)}{path.suffix}")
     try:
         yield name
     finally:

@@ -1,5 +1,7 @@
 """Files in and out, written and read by OpenImageIO itself."""
 
+from concurrent.futures import ThreadPoolExecutor
+
 import numpy as np
 import OpenImageIO as oiio
 import pytest
@@ -25,6 +27,17 @@ def test_eight_bits_come_back(tmp_path, suffix, channels):
         image[..., :-1] *= image[..., -1:] // 255
     write_image(tmp_path / f"a.{suffix}", image)
     np.testing.assert_array_equal(read_uint8(tmp_path / f"a.{suffix}"), image)
+
+
+def test_threads_write_into_one_folder(tmp_path):
+    def write(value):
+        write_image(tmp_path / f"{value}.png", np.full((40, 50, 3), value, np.uint8))
+
+    with ThreadPoolExecutor(8) as threads:
+        list(threads.map(write, range(80)))
+    assert len(list(tmp_path.iterdir())) == 80
+    for value in range(80):
+        assert (read_image(tmp_path / f"{value}.png") == value).all()
 
 
 @pytest.mark.parametrize("suffix", ["png", "tif"])

@@ -56,6 +56,8 @@ def folder(tmp_path, scene, monkeypatch):
 
 
 def command(folder, more):
+    if more[:1] == ["example"]:
+        return [*map(str, more)]
     if more[:1] == ["replay"]:
         return ["replay", "--style", f"{folder}/style.png", *map(str, more[1:])]
     guides = [["--guide", f"{folder}/source_{k}.png", f"{folder}/target_{k}.png"] for k in range(2)]
@@ -363,10 +365,37 @@ def output_among_levels(folder):
     yield ["--output", folder / "level_2.png", "--save-levels", folder]
 
 
+@case(
+    "an output among the maps that --save-levels writes with --method guide_map",
+    "guide_map_2.png: is named twice; name another file",
+)
+def output_among_maps(folder):
+    output = folder / "guide_map_2.png"
+    yield ["--output", output, "--save-levels", folder, "--method", "guide_map"]
+
+
+@case("an output named as such a map, with another method", "written", 0)
+def output_as_no_map(folder):
+    yield ["--output", folder / "guide_map_2.png", "--save-levels", folder]
+    made(folder, "guide_map_2.png")
+
+
 @case("an output that is a folder", "made.png: is a folder; name a file")
 def output_folder(folder):
     (folder / "made.png").mkdir()
     yield ["--output", folder / "made.png"]
+
+
+@case("an output that is a pipe, or a device", "pipe.png: is no regular file")
+def pipe(folder):
+    os.mkfifo(folder / "pipe.png")
+    yield ["--output", folder / "pipe.png"]
+
+
+@case("a saved field that is a pipe, or a device", "pipe.npy: is no regular file")
+def pipe_as_saved_field(folder):
+    os.mkfifo(folder / "pipe.npy")
+    yield ["--nnf", folder / "pipe.npy"]
 
 
 @case("an output where nothing can be made", "/proc/out.png: cannot be written: …")
@@ -401,6 +430,12 @@ class Trap:
 
     def __reduce__(self):
         return open, ("trapped", "w")
+
+
+@case("a field that is a pipe, or a device", "pipe.npy: is no regular file")
+def field_from_pipe(folder):
+    os.mkfifo(folder / "pipe.npy")
+    yield ["replay", "--nnf", folder / "pipe.npy", "--output", folder / "out.png"]
 
 
 @case("a field with pickled objects", "hostile.npy: is not a readable .npy file: …")
@@ -464,6 +499,27 @@ def fortran(folder):
 )
 def outside(folder):
     yield replayed(folder, saved(np.full((4, 4, 2), 99, np.int32)))
+
+
+# Folders
+
+
+@case("`example` into a folder of 300 letters", "…x: cannot be a file: File name too long")
+def example_of_long_name(folder):
+    yield ["example", folder / ("x" * 300)]
+
+
+@case(
+    "`example` into a folder whose name is no text in UTF-8",
+    "…: cannot be a file: it is no text in UTF-8",
+)
+def example_of_no_text(folder):
+    yield ["example", f"{folder}/a\udcffb"]
+
+
+@case("`example` into a file", "style.png/new: cannot be written: Not a directory")
+def example_in_file(folder):
+    yield ["example", folder / "style.png" / "new"]
 
 
 @pytest.mark.parametrize("prepare", CASES, ids=lambda prepare: prepare.__name__)
