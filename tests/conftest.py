@@ -6,6 +6,8 @@ from pathlib import Path
 
 import pytest
 
+pytest_plugins = "hostile.count"
+
 
 def pytest_configure():
     """Ctrl-C is ignored in the background, and by all that is started from there."""

@@ -1,18 +1,17 @@
-"""Generated cases: how many of each property, always the same ones, and how many there were."""
+"""Generated cases: how many of each property, always the same ones."""
 
 import functools
-from collections import Counter
 
+from hostile.count import CASES
 from hypothesis import HealthCheck, given, settings
-
-CASES = Counter()
-"""Cases that ran, by property."""
 
 
 def generated(cases, **strategies):
     """Run a test on so many generated cases, the same in every run."""
 
     def decorate(test):
+        CASES[test.__name__] = 0
+
         @functools.wraps(test)
         def counted(*fixtures, **case):
             CASES[test.__name__] += 1
