@@ -4,6 +4,7 @@ import base64
 import hashlib
 import json
 import re
+import shutil
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -20,6 +21,8 @@ from stylit_ref.kernel import LIBRARY_DIGEST
 
 INPUTS = "inputs.json"
 """What a report was made of: where nothing of it changed, it stands."""
+
+_PARTIAL = ".partial_"
 
 
 def write_page(plan, folder):
@@ -40,7 +43,9 @@ def write_page(plan, folder):
     if _is_up_to_date(folder, inputs):
         return False
     folder.mkdir(parents=True, exist_ok=True)
-    with TemporaryDirectory(prefix=".", dir=folder) as partial:
+    for killed in folder.glob(f"{_PARTIAL}*"):
+        shutil.rmtree(killed)
+    with TemporaryDirectory(prefix=_PARTIAL, dir=folder) as partial:
         files = _write_files(plan, Path(partial))
         record = {"inputs": inputs, "files": sorted(files)}
         text = json.dumps(record, indent=1) + "\n"

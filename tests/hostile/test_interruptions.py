@@ -61,6 +61,9 @@ EVAL_FULL = Listed(
     "`make eval` on a full disk",
     "build/runs/…: cannot be written: it may need … MiB and … MiB are free",
 )
+REPORT_FULL = Listed(
+    "`make eval` on a disk that is full when it writes the report", "…o space left on device…"
+)
 EVAL_STOPPED = Listed(
     "Ctrl-C or SIGTERM in the middle of `make eval`",
     "interrupted; finished runs are kept and not computed again",
@@ -72,7 +75,7 @@ EVAL_AGAIN = Listed(
     0,
 )
 FOREIGN_RUN = Listed(
-    "a stored result, or its numbers, of another run under a run's name", "computed again", 0
+    "`make eval` with a stored result of another run under a run's name", "computed again", 0
 )
 DATA_FULL = Listed("`make data` on a full disk", "…o space left on device…")
 DATA_STOPPED = Listed(
@@ -96,7 +99,7 @@ def _signals_are_heeded():
 
 @pytest.fixture
 def small_disk(tmp_path):
-    """A disk of 64 KiB, and a call that makes it larger."""
+    """A disk of 64 KiB, and a call that gives it another size."""
     disk = tmp_path / "disk"
     disk.mkdir()
 
@@ -106,7 +109,7 @@ def small_disk(tmp_path):
 
     if os.geteuid() or not shutil.which("mount") or not mount("size=64k"):
         pytest.skip("a small disk can be mounted by root alone")
-    yield disk, lambda: mount("remount", "size=256m")
+    yield disk, lambda size="256m": mount("remount", f"size={size}")
     subprocess.run(["umount", str(disk)], check=True)
 
 
@@ -123,6 +126,11 @@ def started(module, *arguments, folder, **environment):
     finally:
         process.kill()
         process.wait()
+
+
+def contents(folder):
+    """Every file's bytes by name."""
+    return {path.name: path.read_bytes() for path in folder.iterdir()}
 
 
 def done(process):
@@ -275,8 +283,27 @@ def test_eval_goes_on_after_anything(small_disk):
         EVAL_AGAIN.check(*done(process), disk)
     assert all(file.read_bytes() == content for file, content in before.items())
     record = json.loads((disk / "report" / "inputs.json").read_text())
-    written = {path.name for path in (disk / "report").iterdir()}
-    assert written == {*record["files"], "inputs.json"}
+    written = contents(disk / "report")
+    assert written.keys() == {*record["files"], "inputs.json"}
+
+    (disk / "report" / "inputs.json").unlink()
+    left_by_sigkill = disk / "report" / ".partial_1"
+    left_by_sigkill.mkdir()
+    enlarge(shutil.disk_usage(disk).used + 2**14)
+    with started(*THESIS, folder=disk) as process:
+        REPORT_FULL.check(*done(process), disk)
+    del written["inputs.json"]
+    assert contents(disk / "report") == written
+    enlarge()
+
+    taken, other = sorted(results())[:2]
+    ours = read(taken)
+    taken.write_bytes(other.read_bytes())
+    with started(*THESIS, folder=disk) as process:
+        FOREIGN_RUN.check(*done(process), disk)
+    assert read(taken).key == ours.key
+    np.testing.assert_array_equal(read(taken).nnf, ours.nnf)
+    assert contents(disk / "report").keys() == {*written, "inputs.json"}
 
 
 def test_results_of_another_run_are_not_taken(tmp_path, monkeypatch):
@@ -296,7 +323,6 @@ def test_results_of_another_run_are_not_taken(tmp_path, monkeypatch):
     for content in ("[]", "{}", "null", '{"run": 3}', "\\0"):
         numbers.write_text(content)
         assert stored_quality(job) is None
-    FOREIGN_RUN.check(0, "", tmp_path)
 
 
 def made_anew(path, before):
