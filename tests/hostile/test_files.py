@@ -607,32 +607,31 @@ def test_too_little_memory_is_said(folder):
 
 _WRITES = """
 import resource, sys
-import numpy as np
-from stylit_ref import InputError, write_image
+from stylit_ref.cli import main
 resource.setrlimit(resource.RLIMIT_FSIZE, (5000, 5000))
-noise = np.random.default_rng(0).integers(0, 256, (200, 200, 3), dtype=np.uint8)
-try:
-    write_image(sys.argv[1], noise)
-except InputError as error:
-    sys.exit(f"write_image: {error}")
+sys.exit(main(sys.argv[1:]))
 """
 SHORT_FILE = Listed(
     "a disk that takes a part of a file, though it says that it has room",
-    "a.…: cannot be written: …",
-    1,
+    "out.…: cannot be written: …",
 )
 
 
 @pytest.mark.parametrize("suffix", ["png", "tif", "exr", "bmp", "tga"])
-def test_a_file_that_cannot_be_finished_is_not_there(tmp_path, suffix):
+def test_a_file_that_cannot_be_finished_is_not_there(folder, suffix):
     """Some libraries write a broken file without a word.
 
     Not of JPEG and WebP: there libraries end the process, or try for ever.
     """
-    call = [sys.executable, "-c", _WRITES, f"{tmp_path}/a.{suffix}"]
+    rng = np.random.default_rng(0)
+    write_image(folder / "style.png", rng.integers(0, 256, (50, 60, 3), dtype=np.uint8))
+    np.save(folder / "nnf.npy", rng.integers(2, 48, (90, 80, 2), np.int32))
+    before = contents(folder)
+    replay = ["replay", "--nnf", folder / "nnf.npy", "--output", folder / f"out.{suffix}"]
+    call = [sys.executable, "-c", _WRITES, *command(folder, replay)]
     done = subprocess.run(call, capture_output=True, text=True)
-    SHORT_FILE.check(done.returncode, done.stderr, tmp_path)
-    assert not list(tmp_path.iterdir())
+    SHORT_FILE.check(done.returncode, done.stderr, folder)
+    assert contents(folder) == before
 
 
 OTHERS = [TOO_LARGE, SHORT_FILE]
