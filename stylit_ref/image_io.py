@@ -21,10 +21,10 @@ FLOAT_FORMATS = (".exr", ".hdr", ".pfm")
 """Files that hold scene-linear floating point."""
 
 LARGEST_IMAGE = 1 << 29
-"""Values (pixels times channels) that a file may declare: 9400x9400 with 6 channels.
+"""Values (pixels times channels) that a file may declare: 16384x8192 with 4 channels.
 
-As floating point they take 2 GiB. More are refused before memory is taken: a file of a few bytes
-can declare any size.
+As floating point they take 2 GiB, and reading takes two to three times the memory of the image.
+More are refused before memory is taken: a file of a few bytes can declare any size.
 """
 
 _CHANNEL_ORDER = "RGBXYZUVA"
@@ -65,8 +65,7 @@ def read_uint8(path):
     -------
     (H, W, n) uint8
     """
-    image, alpha_channel = _drop_opaque(*_read(path))
-    return _displayed(path, image, alpha_channel)
+    return _displayed(path)[0]
 
 
 def read_guides(source_path, target_path):
@@ -82,13 +81,11 @@ def read_guides(source_path, target_path):
     source, target : (H, W, n) uint8
         The numbers of channels still differ where neither is grey.
     """
-    paths = source_path, target_path
-    read = [_drop_opaque(*_read(path)) for path in paths]
+    read = list(map(_displayed, (source_path, target_path)))
     transparent = any(alpha is not None for _, alpha in read)
-    colours = max(image.shape[2] - (alpha is not None) for image, alpha in read)
+    colours = max(guide.shape[2] - (alpha is not None) for guide, alpha in read)
     guides = []
-    for path, (image, alpha) in zip(paths, read, strict=True):
-        guide = _displayed(path, image, alpha)
+    for guide, alpha in read:
         if guide.shape[2] - (alpha is not None) == 1:
             guide = np.concatenate([guide[:, :, :1]] * colours + [guide[:, :, 1:]], axis=2)
         if transparent and alpha is None:
@@ -212,28 +209,42 @@ def _read_pixels(path):
             "8 or 16 bit integers or floating point are needed"
         )
     depth = _DEPTHS[str(spec.format)] if len(stored) == 1 else "float"
-    pixels = _pixels(source, part, depth)
-    if pixels is None:
+    image = _pixels(source, part, depth)
+    if image is None:
         raise InputError(f"{file}: cannot be read: {_reason(source.geterror())}")
-    spec.set_format(depth)
-    buffer = oiio.ImageBuf(spec)
-    buffer.set_pixels(buffer.roi, pixels)
-    if buffer.roi != buffer.roi_full:
-        buffer = oiio.ImageBufAlgo.crop(buffer, roi=buffer.roi_full)
-    if buffer.orientation != 1:
-        buffer = oiio.ImageBufAlgo.reorient(buffer)
-
-    names = [_channel_name(buffer.spec().channelnames[c])[1] for c in channels]
-    image = buffer.get_pixels(depth)[:, :, channels]
-    broken = ~np.isfinite(image)
-    if broken.any():
+    if spec.roi != spec.roi_full:
+        image = _in_display_window(image, spec)
+    image = np.take(image, channels, axis=2)
+    image = np.ascontiguousarray(_upright(image, spec.get_int_attribute("Orientation")))
+    if depth == "float" and not np.isfinite(image).all():
+        broken = ~np.isfinite(image)
         y, x, _ = np.argwhere(broken)[0]
         raise InputError(
             f"{path}: {np.count_nonzero(broken.any(axis=2))} pixels are NaN or infinite, "
             f"the first at (y, x) = ({y}, {x}); all values must be finite"
         )
+    names = [_channel_name(spec.channelnames[c])[1] for c in channels]
     alpha_channel = names.index("A") if "A" in names and len(names) > 1 else None
-    return np.ascontiguousarray(image), alpha_channel
+    return image, alpha_channel
+
+
+def _in_display_window(pixels, spec):
+    """Pixels of the data window that the display window has, 0 around them."""
+    shown = np.zeros((spec.full_height, spec.full_width, spec.nchannels), pixels.dtype)
+    y, x = spec.y - spec.full_y, spec.x - spec.full_x
+    window, pixels = shown[max(y, 0) :, max(x, 0) :], pixels[max(-y, 0) :, max(-x, 0) :]
+    height, width = map(min, window.shape[:2], pixels.shape[:2])
+    window[:height, :width] = pixels[:height, :width]
+    return shown
+
+
+def _upright(pixels, orientation):
+    """A view of pixels stored in one of the eight orientations of TIFF and Exif."""
+    if orientation in (5, 6, 7, 8):
+        pixels = pixels.swapaxes(0, 1)
+    down = -1 if orientation in (3, 4, 7, 8) else 1
+    right = -1 if orientation in (2, 3, 6, 7) else 1
+    return pixels[::down, ::right]
 
 
 def _pixels(source, part, depth):
@@ -264,8 +275,12 @@ def _drop_opaque(image, alpha_channel):
     return image, alpha_channel
 
 
-def _displayed(path, image, alpha_channel):
-    """The image as 8-bit display values; says so if that clips more than highlights."""
+def _displayed(path):
+    """8-bit display values of a file or layer, and the number of their alpha channel, or None.
+
+    Says so if that clips more than highlights.
+    """
+    image, alpha_channel = _drop_opaque(*_read(path))
     if image.dtype == np.float32:
         clipped = np.mean((image < -0.01) | (image > 1))
         if clipped > 0.05:
@@ -273,7 +288,8 @@ def _displayed(path, image, alpha_channel):
                 f"{path}: {clipped:.0%} of the values lie outside [0, 1] and are clipped",
                 stacklevel=3,
             )
-    return to_uint8(image, alpha_channel)
+    rows = [to_uint8(row, alpha_channel) for row in image]  # each takes several times its memory
+    return np.stack(rows), alpha_channel
 
 
 def _split_layer(path):

@@ -120,6 +120,23 @@ def test_display_window_is_what_is_read(tmp_path):
     np.testing.assert_array_equal(image[:, :, 0], expected)
 
 
+@pytest.mark.parametrize("place", [(0, 0), (2, 1), (-3, -1), (4, -2), (9, 9)])
+@pytest.mark.parametrize("orientation", range(9))
+def test_images_are_upright_in_their_display_window(tmp_path, orientation, place):
+    """As by OpenImageIO's own operations."""
+    spec = oiio.ImageSpec(6, 4, 3, "float")
+    spec.full_width, spec.full_height = 7, 5
+    spec.x, spec.y = place
+    spec.attribute("Orientation", orientation)
+    image = oiio.ImageBuf(spec)
+    image.set_pixels(image.roi, np.random.default_rng(0).random((4, 6, 3), np.float32))
+    image.write(str(tmp_path / "a.exr"))
+    expected = oiio.ImageBufAlgo.crop(image, roi=image.roi_full)
+    if orientation:  # 0 is what some files have that do not know
+        expected = oiio.ImageBufAlgo.reorient(expected)
+    np.testing.assert_array_equal(read_image(tmp_path / "a.exr"), expected.get_pixels("float"))
+
+
 def test_a_colon_in_a_file_name(tmp_path, image):
     write_image(tmp_path / "a:b.png", image)
     np.testing.assert_array_equal(read_image(tmp_path / "a:b.png"), image)
