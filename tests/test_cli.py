@@ -451,7 +451,9 @@ def test_interruption_leaves_nothing(scene):
         _, errors = process.communicate(timeout=120)
     finally:
         process.kill()
-    assert process.returncode == 130
+    # Where Ctrl-C strikes inside an exec, as when Numba makes a function of text, `python -m` ends
+    # by the signal, though the exception was caught; to a shell that is 130 too.
+    assert process.returncode in (130, -signal.SIGINT)
     assert errors.strip() == "stylit-ref: interrupted; no half-written file is left"
     assert not (folder / "out.png").exists()
     assert not (folder / "nnf.npy").exists()
@@ -477,9 +479,9 @@ def test_an_example_replaces_nothing(tmp_path, capsys):
 
 def test_what_changes_nothing_is_noted(scene, capsys):
     folder = scene[0]
-    write_image(folder / "mask.png", np.zeros((38, 44, 1), np.uint8))
-    assert run(folder, "--mask", folder / "mask.png") == 0
-    assert "mask.png: no pixel is white, so none is left alone" in capsys.readouterr().err
+    write_image(folder / "my\rmask.png", np.zeros((38, 44, 1), np.uint8))
+    assert run(folder, "--mask", folder / "my\rmask.png") == 0
+    assert "my mask.png: no pixel is white, so none is left alone" in capsys.readouterr().err
 
 
 def test_fewer_levels_are_noted_where_levels_were_asked_for(scene, capsys):

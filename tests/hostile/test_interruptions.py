@@ -134,7 +134,11 @@ def contents(folder):
 
 
 def done(process):
-    """Exit code and stderr; of CPython both 130 and death by Ctrl-C are 130 to a shell."""
+    """Exit code, as a shell has it, and stderr.
+
+    Where Ctrl-C strikes inside an exec, as when Numba makes a function of text, ``python -m`` ends
+    by the signal, though the exception was caught.
+    """
     _, said = process.communicate(timeout=500)
     code = process.returncode
     return 130 if code == -signal.SIGINT else code, said
