@@ -58,8 +58,11 @@ class _Cache(FunctionCache):
             return None
 
     def save_overload(self, *arguments):
-        """What does not fit on the disk is not kept."""
-        with suppress(OSError):
+        """What does not fit on the disk is not kept, nor what LLVM did not hand over.
+
+        Ctrl-C in its callback loses the compiled object; it strikes again after this.
+        """
+        with suppress(OSError, RuntimeError):
             super().save_overload(*arguments)
 
     def _index_key(self, signature, codegen):

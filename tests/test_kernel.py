@@ -56,6 +56,17 @@ def test_nowhere_to_write(monkeypatch):
     assert array[0] == 5
 
 
+def test_a_kernel_lost_in_a_callback_is_used_and_not_kept(cache_folder, monkeypatch):
+    def nothing(library):
+        raise RuntimeError(f"no compiled object yet for {library}")
+
+    with monkeypatch.context() as lost:
+        lost.setattr("numba.core.codegen.CodeLibrary._get_compiled_object", nothing)
+        assert run(make_kernel(6)) == (6, False)
+    assert not list(cache_folder.rglob("*.nbc"))
+    assert run(make_kernel(6)) == (6, False)
+
+
 def test_another_source_makes_a_kernel_stale(monkeypatch):
     run(make_kernel(1))
     monkeypatch.setattr(stylit_ref.kernel, "LIBRARY_DIGEST", "of a library with one edit")
