@@ -1,1 +1,1 @@
-"""Scenes, render passes and style exemplars. Runs from the checkout, apart from the library."""
+"""Scenes, render passes and style exemplars. Apart from the library."""

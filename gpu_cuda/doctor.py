@@ -14,7 +14,7 @@ DRIVER = 13, 0
 CAPABILITY = 7, 5
 """The least that CUDA 13 compiles for."""
 
-INSTALL = "pip install -e '.[gpu]' in the checkout, with an NVIDIA driver of version 580 or newer"
+INSTALL = "pip install 'stylit-ref[gpu]', with an NVIDIA driver of version 580 or newer"
 
 
 def missing():

@@ -19,8 +19,8 @@
 #
 # One thing does not survive the step from a loop to thousands of threads: the occurrence map
 # $\Omega$, which all of them read and change. You will see it change by atomics while the kernels
-# run, as in the thesis, and no two runs agree; then stand still while they run, and the picture
-# washes out; and then the schedule of the library, *propose and commit*, which cures both.
+# run, as in the thesis, so that two runs need not agree; then stand still while they run, and the
+# picture washes out; and then the schedule of the library, *propose and commit*, which cures both.
 #
 # Where there is no GPU, kernels run in Numba's simulator: Python code, a Python thread for each
 # thread of a block. It has to be chosen before Numba is imported, and it is slow, so the images

@@ -9,6 +9,7 @@ that links to the repository.
 
 import os
 import re
+import shutil
 import signal
 import socket
 import subprocess
@@ -37,6 +38,7 @@ PAGES = [
     str(file.relative_to(ROOT)) for file in (ROOT / "README.md", *sorted(ROOT.glob("docs/**/*.md")))
 ]
 LANGUAGES = ("sh", "python")
+NO_COMMANDS = ("text", "{toctree}", "{eval-rst}")
 RUN, DRY_RUN, RENDERS = "", "dry-run", "renders"
 NOT_RUN = ("not-run: installs packages", "not-run: needs a GPU")
 HELP = {
@@ -56,14 +58,20 @@ class Block(NamedTuple):
     printed: list[str]
 
 
+def tokens_of(page, kind):
+    """Markdown's tokens of a kind, those within a line of text too."""
+    tokens = MarkdownIt().parse((ROOT / page).read_text(encoding="utf-8"))
+    return [
+        token
+        for block in tokens
+        for token in (block, *(block.children or ()))
+        if token.type == kind
+    ]
+
+
 def blocks_of(page):
     """The blocks of a page that are commands."""
-    fences = [
-        token
-        for token in MarkdownIt().parse((ROOT / page).read_text(encoding="utf-8"))
-        if token.type == "fence"
-    ]
-    for fence, after in pairwise([*fences, None]):
+    for fence, after in pairwise([*tokens_of(page, "fence"), None]):
         language, _, how = fence.info.strip().partition(" ")
         if language in LANGUAGES:
             printed = after.content.splitlines() if after and after.info == "text" else []
@@ -222,6 +230,8 @@ def check_flags(text):
 @pytest.mark.parametrize("page", [page for page in PAGES if list(blocks_of(page))])
 def test_the_commands_of_a_page_run(page, scratch):
     blocks = list(blocks_of(page))
+    if any("make " in block.code for block in blocks) and not shutil.which("make"):
+        pytest.skip("there is no make here")
     if any(block.how == RENDERS for block in blocks):
         try:
             start()
@@ -248,6 +258,21 @@ def test_what_is_not_run_says_why(page):
             assert all(line.startswith(("make ", "#")) for line in lines), block
         if block.how in NOT_RUN:
             check_flags(block.code)
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_fences_are_of_languages_that_are_looked_at(page):
+    for fence in tokens_of(page, "fence"):
+        assert fence.info.split()[0] in LANGUAGES + NO_COMMANDS, fence.content
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_commands_within_a_text_have_the_targets_and_flags_they_name(page):
+    makefile = (ROOT / "Makefile").read_text(encoding="utf-8")
+    for code in tokens_of(page, "code_inline"):
+        if target := re.match("make ([a-z-]+)", code.content):
+            assert re.search(rf"^{target[1]}:", makefile, re.MULTILINE), code.content
+        check_flags(code.content)
 
 
 def test_every_reason_for_not_running_is_in_use():
