@@ -27,6 +27,7 @@ from scipy.spatial import cKDTree
 from eval.figures import nnf_colours
 from eval.scenes import load_scene
 from eval.sharpness import richness
+from eval.spilling import spilling
 from stylit_ref import Params, replay, stylize
 from stylit_ref.bit_depth import to_linear, to_uint8
 
@@ -126,11 +127,10 @@ def guides_apart(nnf):
     return [np.abs(carried(source, nnf).astype(int) - target).mean() for source, target in pairs]
 
 
-source_ids, target_ids = scene.ids
 fig, axes = plt.subplots(2, 2, figsize=(7.4, 5.9), layout="constrained")
 print(f"{'':12}{'spilled':>9}" + "".join(f"{name:>8}" for name in scene.guide_names))
 for row, (name, run) in enumerate({"five guides": result, "FULL alone": full_alone}.items()):
-    spilled = (carried(source_ids, run.nnf) != target_ids).any(axis=2)
+    spilled = spilling(run.nnf, scene.ids)
     apart = "".join(f"{each:8.2f}" for each in guides_apart(run.nnf))
     print(f"{name:12}{spilled.mean():9.1%}{apart}")
     show(axes[row, 0], run.image, name)

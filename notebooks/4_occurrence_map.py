@@ -28,6 +28,7 @@ from matplotlib.colors import LogNorm
 
 from eval.scenes import load_scene
 from eval.sharpness import detail, richness
+from eval.spilling import spilling
 from eval.usage import coverage, distinct_patches, peak_usage, usage_entropy
 from stylit_ref import Params, passes, stylize
 from stylit_ref.formulae.improve_assignment import phi
@@ -222,20 +223,13 @@ display(HTML(animation.to_jshtml(default_mode="once")))
 # the share of the target that is *spilled*, painted with the paint of another object.
 
 # %%
-source_ids, target_ids = scene.ids
-
-
-def spilled(nnf):
-    return float((source_ids[nnf[:, :, 0], nnf[:, :, 1]] != target_ids).any(axis=2).mean())
-
-
 table = {
     "style covered": [coverage(run.omega) for run in runs.values()],
     "distinct patches": [distinct_patches(run.nnf) for run in runs.values()],
     "entropy of Ω": [usage_entropy(run.omega) for run in runs.values()],
     "richness": [richness(run.image, scene.style) for run in runs.values()],
     "mean δ": [run.history[-1].delta for run in runs.values()],
-    "spilled": [spilled(run.nnf) for run in runs.values()],
+    "spilled": [spilling(run.nnf, scene.ids).mean() for run in runs.values()],
 }
 print(f"{'λ':18}" + "".join(f"{uniformity:>9}" for uniformity in runs))
 for name, values in table.items():
@@ -261,6 +255,7 @@ plt.show()
 # *dinosaur* takes, by counting its assignments alone.
 
 # %%
+source_ids, target_ids = scene.ids
 colour = target_ids[y, x]  # of the object that the patch above lies on
 on_target = (target_ids == colour).all(axis=2)
 on_source = (source_ids == colour).all(axis=2)

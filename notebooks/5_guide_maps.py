@@ -28,8 +28,10 @@ from importlib.resources import files
 
 import matplotlib.pyplot as plt
 import numpy as np
+from numba import njit
 
 from stylit_ref import Params, passes, read_uint8, stylize
+from stylit_ref.formulae.bounded_metric import make_delta_bound
 from stylit_ref.formulae.candidates import random_candidate
 from stylit_ref.formulae.guide_map import scaled_variance
 from stylit_ref.formulae.patch_moments import BOUND_SCALE
@@ -274,8 +276,10 @@ level.init_occurrence_map()
 
 textures, radius = level.textures, level.patch_width // 2
 stream = random_stream(0, RANDOM_SEARCH, 1)
-sums_alone = textures.moment_weights.repeat(2)
-sums_alone[packing.channels :] = 0  # the first lanes are sums, the others the style's moments
+delta_bound = make_delta_bound(len(packing.moments))
+weights_of_sums = textures.moment_weights.copy()  # one weighs two lanes
+weights_of_sums[packing.channels // 2 :] = 0  # sums come first, then the style's moments
+sums_alone = textures._replace(moment_weights=weights_of_sums)
 
 
 def candidates(search_radius):
@@ -289,12 +293,13 @@ def candidates(search_radius):
     return drawn
 
 
-def bounds(nnf, weights):
-    """Bessel's sum for every target patch and its candidate, in the fixed point of δ."""
-    difference = textures.target_moments.astype(np.int64) - textures.source_moments[
-        tuple(nnf.T)
-    ].swapaxes(0, 1)
-    return (difference**2 * weights).sum(axis=2) / BOUND_SCALE
+@njit
+def bounds(textures, nnf):
+    """The bound for every target patch and its candidate, in the fixed point of δ."""
+    bound = np.empty(nnf.shape[:2])
+    for y, x in np.ndindex(bound.shape):
+        bound[y, x] = delta_bound(textures, y, x, nnf[y, x, 0], nnf[y, x, 1]) / BOUND_SCALE
+    return bound
 
 
 all_penalizations = level.occurrence_weight * level.omega_sums.astype(np.int64)
@@ -305,7 +310,7 @@ for search_radius in (1, 2, 4, 8, 16, 32, 64):
     delta = np.empty_like(level.delta)
     passes.similarity(textures, level.patch_width, nnf, delta)
     penalization = all_penalizations[tuple(nnf.T)].T
-    by_sums, by_moments = bounds(nnf, sums_alone), bounds(nnf, textures.moment_weights.repeat(2))
+    by_sums, by_moments = bounds(sums_alone, nnf), bounds(textures, nnf)
     assert (by_sums <= by_moments).all()
     assert (by_moments <= delta).all()
     tightness[search_radius] = by_sums / np.maximum(delta, 1), by_moments / np.maximum(delta, 1)
