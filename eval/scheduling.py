@@ -17,7 +17,7 @@ from stylit_ref import InputError
 RETRIES = 2
 """Times that a run on a cluster is tried again."""
 
-PATIENCE = "10s"
+PATIENCE = "30s"
 """How long a scheduler may take to answer."""
 
 COSTS = defaultdict(lambda: 1.0, stylit=6.0)

@@ -202,7 +202,7 @@ def run(page, blocks, folder):
             stdout=output, stderr=subprocess.STDOUT, start_new_session=True,
         )  # fmt: skip
         try:
-            code = shell.wait(timeout=300)
+            code = shell.wait(timeout=900)
         finally:  # what a page started in the background ends with it
             with suppress(ProcessLookupError):
                 os.killpg(shell.pid, signal.SIGKILL)
