@@ -60,7 +60,7 @@ class _Cache(FunctionCache):
     def save_overload(self, *arguments):
         """What does not fit on the disk is not kept, nor what LLVM did not hand over.
 
-        Ctrl-C in its callback loses the compiled object; it strikes again after this.
+        Ctrl-C in its callback loses the compiled object, where a program lets it strike there.
         """
         with suppress(OSError, RuntimeError):
             super().save_overload(*arguments)
