@@ -89,14 +89,6 @@ DATA_AGAIN = Listed(
 CASES = [value for value in globals().values() if isinstance(value, Listed)]
 
 
-@pytest.fixture(autouse=True)
-def _signals_are_heeded():
-    """A shell's background job ignores Ctrl-C, and its children do too."""
-    before = signal.signal(signal.SIGINT, signal.default_int_handler)
-    yield
-    signal.signal(signal.SIGINT, before)
-
-
 @pytest.fixture
 def small_disk(tmp_path):
     """A disk of 64 KiB, and a call that gives it another size."""
