@@ -16,8 +16,8 @@ from eval.stylit_report import stylit_report
 from eval.thesis.evaluation import evaluate
 from eval.thesis.plan import PRESETS, own_scene, preset
 from stylit_ref import InputError
-from stylit_ref.backends import BACKENDS
-from stylit_ref.interruption import heed_interruptions
+from stylit_ref.machine.interruption import heed_interruptions
+from stylit_ref.stylization.backends import BACKENDS
 
 REPORTS_ON_A_SCENE = {
     "epsilon": epsilon_report,

@@ -45,7 +45,7 @@ _COMMIT = _commit()
 @cache
 def device(backend):
     """Name of the processor or the GPU that a backend runs on."""
-    return import_module("gpu_cuda.doctor").device_name() if backend == "cuda" else processor()
+    return import_module("gpu_cuda.host.doctor").device_name() if backend == "cuda" else processor()
 
 
 def processor():

@@ -20,13 +20,14 @@ from tqdm import tqdm
 import gpu_cuda
 from eval.circumstances import circumstances
 from eval.synthesis import synthesis
-from gpu_cuda import doctor, launched_commit, shared_memory
-from gpu_cuda.device import kernel_times
+from gpu_cuda.host import doctor
+from gpu_cuda.host.device import kernel_times
 from gpu_cuda.metric import launch_search
 from gpu_cuda.propagation import make_kernel as make_propagation_kernel
 from gpu_cuda.random_search import make_kernel as make_random_search_kernel
+from gpu_cuda.variants import launched_commit, shared_memory
 from stylit_ref import InputError, Params, passes
-from stylit_ref.output_file import write_text
+from stylit_ref.files.output_file import write_text
 
 UNIFORMITIES = (0, 5000, 10000)
 RUNS = 3

@@ -6,10 +6,10 @@ import numpy as np
 
 from eval.scenes import Scene
 from stylit_ref import Params, passes
-from stylit_ref.formulae.random_stream import RANDOM_NNF, random_stream
-from stylit_ref.level import Level
-from stylit_ref.packing import ONE, make_packing
-from stylit_ref.patchmatch import propose_commit
+from stylit_ref.metric.packing import ONE, make_packing
+from stylit_ref.randomness.random_stream import RANDOM_NNF, random_stream
+from stylit_ref.stylization.level import Level
+from stylit_ref.stylization.schedules import propose_commit
 
 ITERATIONS = 30
 

@@ -14,7 +14,7 @@ from cuda.pathfinder import find_nvidia_binary_utility
 from tqdm import tqdm
 
 from eval.report import REPORTS, table, write_report
-from gpu_cuda.ptx import BLOCKS, CAPABILITIES, compile_to_ptx, kernels
+from gpu_cuda.host.ptx import BLOCKS, CAPABILITIES, compile_to_ptx, kernels
 
 FOLDER = REPORTS / "ptx"
 

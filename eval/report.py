@@ -5,7 +5,7 @@ from pathlib import Path
 from markdown_it import MarkdownIt
 
 from eval.circumstances import circumstances
-from stylit_ref.output_file import write_text
+from stylit_ref.files.output_file import write_text
 
 REPORTS = Path("reports")
 

@@ -17,8 +17,8 @@ from eval.circumstances import circumstances, device
 from eval.image_analogies import ImageAnalogies, image_analogies
 from eval.scenes import Scene
 from stylit_ref import Params, Profile, stylize
-from stylit_ref.kernel import LIBRARY_DIGEST
-from stylit_ref.output_file import whole_file
+from stylit_ref.files.output_file import whole_file
+from stylit_ref.machine.kernel import LIBRARY_DIGEST
 
 STORE = Path("build/runs")
 
@@ -256,7 +256,7 @@ def read(file):
 @cache
 def kernels_digest():
     """Identifies the CUDA kernels."""
-    files = sorted((Path(__file__).parents[1] / "gpu_cuda").glob("*.py"))
+    files = sorted((Path(__file__).parents[1] / "gpu_cuda").rglob("*.py"))
     return hashlib.sha256(b"".join(file.read_bytes() for file in files)).hexdigest()
 
 

@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 
 from stylit_ref import Params, passes
-from stylit_ref.level import Level
-from stylit_ref.packing import ONE, make_packing
+from stylit_ref.metric.packing import ONE, make_packing
+from stylit_ref.stylization.level import Level
 
 
 def split_delta(scene, image, nnf, patch_width=5):

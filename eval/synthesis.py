@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from stylit_ref.checks import fit_levels
-from stylit_ref.packing import make_packing
-from stylit_ref.texture_optimization import texture_optimization
+from stylit_ref.metric.packing import make_packing
+from stylit_ref.stylization.checks import fit_levels
+from stylit_ref.stylization.synthesis import texture_optimization
 
 
 def synthesis(style, source_guides, target_guides, params, passes, seed=0):

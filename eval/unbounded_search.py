@@ -6,11 +6,11 @@ from types import SimpleNamespace
 from numba import prange
 
 from stylit_ref import passes
-from stylit_ref.formulae.bounded_metric import make_bounded_metric
 from stylit_ref.formulae.candidates import random_candidate
-from stylit_ref.formulae.random_stream import random_words
-from stylit_ref.formulae.textures import metric_constants
-from stylit_ref.kernel import kernel
+from stylit_ref.machine.kernel import kernel
+from stylit_ref.metric.fast_metric import make_bounded_metric
+from stylit_ref.metric.textures import metric_constants
+from stylit_ref.randomness.random_stream import random_words
 
 
 @lru_cache

@@ -5,13 +5,12 @@ A kernel handles one target patch, or one pixel, a thread; what it computes is c
 simulator.
 """
 
-import gpu_cuda.redirection  # noqa: F401
+import gpu_cuda.host.redirection  # noqa: F401
 from gpu_cuda.commit import commit
 from gpu_cuda.energy import energy
 from gpu_cuda.guide_map import guide_map
-from gpu_cuda.live import live_propagation, live_random_search
-from gpu_cuda.means import means
-from gpu_cuda.memory import download, repeat_edge, upload, wait, zeros
+from gpu_cuda.guide_sums import means
+from gpu_cuda.host.memory import download, repeat_edge, upload, wait, zeros
 from gpu_cuda.occurrence import occurrence_map
 from gpu_cuda.patch_moments import moments_storage, patch_moments
 from gpu_cuda.propagation import propagation
@@ -19,6 +18,7 @@ from gpu_cuda.pyramid import downsample, upsample_nnf
 from gpu_cuda.random_nnf import random_nnf
 from gpu_cuda.random_search import random_search
 from gpu_cuda.similarity import similarity
+from gpu_cuda.variants.live import live_propagation, live_random_search
 from gpu_cuda.vote import vote
 
 __all__ = [

@@ -11,10 +11,10 @@ from functools import lru_cache
 import numpy as np
 from numba import cuda
 
-from gpu_cuda.device import device_function, launch_cooperative
 from gpu_cuda.formulae import commit_order, penalization
+from gpu_cuda.host.device import device_function, launch_cooperative
 from gpu_cuda.patch_penalization import make_atomic_updates
-from stylit_ref.formulae.commit_classes import CLASS_STRIDE
+from stylit_ref.randomness.commit_classes import CLASS_STRIDE
 
 CLASSES = CLASS_STRIDE**2
 

@@ -5,8 +5,8 @@ from functools import lru_cache
 import numpy as np
 from numba import cuda
 
-from gpu_cuda.device import launch
-from gpu_cuda.memory import empty, fill
+from gpu_cuda.host.device import launch
+from gpu_cuda.host.memory import empty, fill
 
 ROWS_A_THREAD = 32
 

@@ -2,8 +2,8 @@
 
 from numba import cuda
 
-from gpu_cuda.device import launch
 from gpu_cuda.formulae import scaled_variance
+from gpu_cuda.host.device import launch
 from stylit_ref.formulae.guide_map import variance_limit
 
 

@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 from numba import cuda
 
-from gpu_cuda.device import BLOCK, launch
+from gpu_cuda.host.device import BLOCK, launch
 from gpu_cuda.patch_ssd import WORD_CHANNELS
 
 

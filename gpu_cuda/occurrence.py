@@ -9,8 +9,8 @@ from functools import lru_cache
 import numpy as np
 from numba import cuda
 
-from gpu_cuda.device import launch
-from gpu_cuda.memory import fill
+from gpu_cuda.host.device import launch
+from gpu_cuda.host.memory import fill
 
 
 @cuda.jit

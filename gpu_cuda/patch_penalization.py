@@ -7,7 +7,7 @@ from functools import lru_cache
 
 from numba import cuda
 
-from gpu_cuda.device import device_function
+from gpu_cuda.host.device import device_function
 
 
 @lru_cache

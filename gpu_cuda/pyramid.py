@@ -3,9 +3,9 @@
 import numpy as np
 from numba import cuda
 
-from gpu_cuda.device import launch
 from gpu_cuda.formulae import block_mean, upsampled_assignment
-from gpu_cuda.memory import empty
+from gpu_cuda.host.device import launch
+from gpu_cuda.host.memory import empty
 
 
 @cuda.jit

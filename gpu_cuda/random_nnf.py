@@ -1,13 +1,13 @@
 """Random initial assignments (Kernel_RandomNNF, thesis 3.4).
 
 Kernel_InitRandom has no counterpart: random numbers are counted, not carried
-(:mod:`stylit_ref.formulae.random_stream`).
+(:mod:`stylit_ref.randomness.random_stream`).
 """
 
 from numba import cuda
 
-from gpu_cuda.device import launch
 from gpu_cuda.formulae import random_words, uniform_below
+from gpu_cuda.host.device import launch
 
 
 @cuda.jit

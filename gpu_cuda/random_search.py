@@ -4,8 +4,8 @@ from functools import lru_cache
 
 from numba import cuda
 
-from gpu_cuda.device import BLOCK, compiled_for, formula
 from gpu_cuda.formulae import penalization, random_candidate, random_words
+from gpu_cuda.host.device import BLOCK, compiled_for, formula
 from gpu_cuda.improve_proposal import make_improve_proposal
 from gpu_cuda.metric import launch_search
 from gpu_cuda.target_patches import make_target_patch

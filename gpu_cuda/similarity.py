@@ -4,7 +4,7 @@ from functools import lru_cache
 
 from numba import cuda
 
-from gpu_cuda.device import formula, launch
+from gpu_cuda.host.device import formula, launch
 from gpu_cuda.improve_proposal import NO_LIMIT, make_assignment_delta
 from gpu_cuda.metric import metric_arrays, metric_constants
 from gpu_cuda.target_patches import make_target_patch

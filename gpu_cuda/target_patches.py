@@ -2,7 +2,7 @@
 
 from numba import cuda, njit, uint32
 
-from gpu_cuda.device import device_function, formula
+from gpu_cuda.host.device import device_function, formula
 from stylit_ref.errors import InputError
 
 SHARED_BYTES = 48 << 10

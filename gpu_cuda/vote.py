@@ -5,8 +5,8 @@ from functools import lru_cache
 import numpy as np
 from numba import cuda
 
-from gpu_cuda.device import launch
 from gpu_cuda.formulae import rounded_mean
+from gpu_cuda.host.device import launch
 
 
 @lru_cache

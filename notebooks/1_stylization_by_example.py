@@ -29,7 +29,7 @@ from eval.scenes import load_scene
 from eval.sharpness import richness
 from eval.spilling import spilling
 from stylit_ref import Params, replay, stylize
-from stylit_ref.bit_depth import to_linear, to_uint8
+from stylit_ref.files.bit_depth import to_linear, to_uint8
 
 scene = load_scene("golem/oil")
 

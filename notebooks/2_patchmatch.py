@@ -30,12 +30,13 @@ from skimage.util import view_as_windows
 
 from eval.figures import nnf_colours
 from eval.scenes import load_scene
-from stylit_ref import Params, passes, patchmatch, replay, stylize
+from stylit_ref import Params, passes, replay, stylize
 from stylit_ref.formulae.candidates import propagation_candidate
 from stylit_ref.formulae.patch_similarity import delta
-from stylit_ref.formulae.random_stream import RANDOM_NNF, random_stream
-from stylit_ref.level import Level
-from stylit_ref.packing import ONE, make_packing
+from stylit_ref.metric.packing import ONE, make_packing
+from stylit_ref.randomness.random_stream import RANDOM_NNF, random_stream
+from stylit_ref.stylization import schedules
+from stylit_ref.stylization.level import Level
 
 # Half the size of the bundled images, so that nothing takes long.
 scene = load_scene("hand/crayon")
@@ -166,7 +167,7 @@ def search(propagation=passes.propagation, random_search=passes.random_search):
     level = random_level(SimpleNamespace(**watched))
     frames.append((level.nnf.copy(), level.delta.mean() / ONE))
     for iteration in range(1, ITERATIONS + 1):
-        patchmatch.propose_commit(level, SEED, 1, 1, iteration)
+        schedules.propose_commit(level, SEED, 1, 1, iteration)
     return frames
 
 
@@ -264,7 +265,7 @@ runs = {
 scanline = random_level()
 scanline_deltas = [scanline.delta.mean() / ONE]
 for iteration in range(1, ITERATIONS + 1):
-    patchmatch.scanline(scanline, SEED, 1, 1, iteration)
+    schedules.scanline(scanline, SEED, 1, 1, iteration)
     scanline_deltas.append(scanline.delta.mean() / ONE)
 
 fig, place = plt.subplots(figsize=(7, 3.6), layout="constrained")
@@ -290,7 +291,7 @@ print(f"{'scan-line order':20} {scanline_deltas[-1]:8.0f}")
 
 # %%
 one = random_level()
-patchmatch.scanline(one, SEED, 1, 1, 1)
+schedules.scanline(one, SEED, 1, 1, 1)
 
 fig, axes = plt.subplots(1, 3, figsize=(11, 3), layout="constrained")
 show(axes[0], nnf_colours(one.nnf, source_size), "after one scan-line iteration")

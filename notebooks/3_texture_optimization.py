@@ -31,8 +31,8 @@ from eval.figures import nnf_colours
 from eval.scenes import load_scene
 from eval.synthesis import synthesis
 from stylit_ref import Params, passes, replay, stylize
-from stylit_ref.packing import ONE
-from stylit_ref.texture_optimization import texture_optimization
+from stylit_ref.metric.packing import ONE
+from stylit_ref.stylization.synthesis import texture_optimization
 
 scene = load_scene("helmet/oil")
 images = scene.style, scene.source_guides, scene.target_guides

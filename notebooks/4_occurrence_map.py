@@ -34,7 +34,7 @@ from stylit_ref import Params, passes, stylize
 from stylit_ref.formulae.improve_assignment import phi
 from stylit_ref.formulae.patch_penalization import omega_best
 from stylit_ref.formulae.patch_similarity import delta
-from stylit_ref.packing import ONE, make_packing, occurrence_weight
+from stylit_ref.metric.packing import ONE, make_packing, occurrence_weight
 from stylit_ref.passes import box_sum, count_assignments
 
 scene = load_scene("stego/crayon")
@@ -193,7 +193,7 @@ plt.show()
 #
 # But Ω changes with every choice. If all target patches argued like this at once, all would rush
 # to the same unused places. So the search changes assignments in turns and keeps Ω up to date
-# (`stylit_ref.patchmatch`).
+# (`stylit_ref.stylization.schedules`).
 #
 # ## λ on a slider
 

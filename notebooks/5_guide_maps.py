@@ -31,19 +31,19 @@ import numpy as np
 from numba import njit
 
 from stylit_ref import Params, passes, read_uint8, stylize
-from stylit_ref.formulae.bounded_metric import make_delta_bound
 from stylit_ref.formulae.candidates import random_candidate
 from stylit_ref.formulae.guide_map import scaled_variance
-from stylit_ref.formulae.patch_moments import BOUND_SCALE
-from stylit_ref.formulae.random_stream import (
+from stylit_ref.metric.fast_metric import make_delta_bound
+from stylit_ref.metric.lower_bound import BOUND_SCALE
+from stylit_ref.metric.packing import ONE, make_packing
+from stylit_ref.randomness.random_stream import (
     RANDOM_NNF,
     RANDOM_SEARCH,
     random_stream,
     random_words,
 )
-from stylit_ref.level import Level
-from stylit_ref.packing import ONE, make_packing
-from stylit_ref.patchmatch import propose_commit
+from stylit_ref.stylization.level import Level
+from stylit_ref.stylization.schedules import propose_commit
 
 DATA = files("data_gen") / "bundled"
 GUIDES = "FULL", "LDE", "LSE", "LDDE", "LD12E"
@@ -76,8 +76,8 @@ height, width = target_guides[0].shape[:2]
 # \frac{\mu}{n_g}\, w^2 \sum_i \bigl(\mathrm{mean}_i(P) - \mathrm{mean}_i(Q)\bigr)^2$$
 #
 # The style's part stays as it is: paint has grain. The means and the map are made once a level,
-# by `stylit_ref/passes/means.py` and `guide_map.py`; a `Level` of the library holds them. We pack
-# the guides without a style first, so that its $\delta$ is that of the guides alone.
+# by `stylit_ref/passes/guide_sums.py` and `guide_map.py`; a `Level` of the library holds them. We
+# pack the guides without a style first, so that its $\delta$ is that of the guides alone.
 
 # %%
 packing = make_packing([3] * len(GUIDES), 3, guide_influence=2.0, guide_weights=[1.0] * len(GUIDES))
@@ -256,7 +256,7 @@ for ax in axes.flat:
 # \sum_k \frac{\langle b_k, f^P - f^Q \rangle^2}{\langle b_k, b_k \rangle}$$
 #
 # With $b_0 = 1$ alone this is the comparison by means. The guides are smooth and get $b_0$ only;
-# the channels of the style get six moments (`stylit_ref/formulae/patch_moments.py`). All moments
+# the channels of the style get six moments (`stylit_ref/metric/lower_bound.py`). All moments
 # of a patch lie together in one or two cache lines. Here is that bound for the finished picture
 # and the candidates which random search draws around its assignments, radius after radius.
 

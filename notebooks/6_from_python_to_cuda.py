@@ -32,7 +32,7 @@ import os
 import subprocess
 import sys
 
-ASK = "from gpu_cuda import doctor; raise SystemExit(doctor.missing())"
+ASK = "from gpu_cuda.host import doctor; raise SystemExit(doctor.missing())"
 if subprocess.run([sys.executable, "-c", ASK], capture_output=True).returncode:
     os.environ["NUMBA_ENABLE_CUDASIM"] = "1"
 
@@ -47,18 +47,19 @@ import numpy as np
 
 import gpu_cuda
 from eval.sharpness import sharpness
-from gpu_cuda import device, doctor
-from stylit_ref import Params, passes, patchmatch, read_uint8, stylize
-from stylit_ref.formulae import philox
-from stylit_ref.formulae.commit_classes import CLASS_STRIDE, commit_order
-from stylit_ref.formulae.random_stream import (
+from gpu_cuda.host import device, doctor
+from stylit_ref import Params, passes, read_uint8, stylize
+from stylit_ref.metric.packing import make_packing
+from stylit_ref.randomness import philox
+from stylit_ref.randomness.commit_classes import CLASS_STRIDE, commit_order
+from stylit_ref.randomness.random_stream import (
     COMMIT_ORDER,
     RANDOM_NNF,
     RANDOM_SEARCH,
     random_stream,
 )
-from stylit_ref.level import Level
-from stylit_ref.packing import make_packing
+from stylit_ref.stylization import schedules
+from stylit_ref.stylization.level import Level
 
 DATA = files("data_gen") / "bundled"
 GUIDES = "FULL", "LDE", "LSE", "LDDE", "LD12E"
@@ -130,7 +131,7 @@ print(f"{threads} threads for {WIDTH * HEIGHT} pixels; the bytes of CPU and devi
 
 # %% [markdown]
 # Every pixel draws its numbers from a counter that holds its own place (Philox,
-# `stylit_ref/formulae/random_stream.py`), so no thread has to wait for a number before it or care
+# `stylit_ref/randomness/random_stream.py`), so no thread has to wait for a number before it or care
 # who drew first. Kernels that read shared data and write only their own pixel are as easy as
 # that.
 
@@ -307,7 +308,7 @@ scene = (
 def frozen(level, seed, level_number, vote, iteration):
     """One PatchMatch iteration whose proposals are all taken, whatever the others do."""
     stream = random_stream(seed, RANDOM_SEARCH, level_number, vote, iteration)
-    kernels = [(passes.propagation, distance) for distance in patchmatch.PROPAGATION_DISTANCES]
+    kernels = [(passes.propagation, distance) for distance in schedules.PROPAGATION_DISTANCES]
     for propose, parameter in [*kernels, (passes.random_search, stream)]:
         metric = level.textures, level.omega_sums, level.occurrence_weight, level.patch_width
         propose(*metric, *fields_of(level), parameter)
@@ -322,7 +323,7 @@ SMALL = {"levels": 5, "votes": 4, "patchmatch_iterations": 3}
 def run(schedule, uniformity):
     """A whole run in one of the library's schedules, or with Ω frozen."""
     if schedule == "frozen":
-        with patch.dict(patchmatch.SCHEDULES, propose_commit=frozen):
+        with patch.dict(schedules.SCHEDULES, propose_commit=frozen):
             return run("propose_commit", uniformity)
     return stylize(*scene, Params(uniformity=uniformity, schedule=schedule, **SMALL))
 
@@ -389,7 +390,7 @@ plt.show()
 # %%
 levels = [start(passes), start(gpu_cuda)]
 for level in levels:
-    patchmatch.propose_commit(level, seed=0, level_number=1, vote=1, iteration=1)
+    schedules.propose_commit(level, seed=0, level_number=1, vote=1, iteration=1)
 cpu, cuda = levels
 for name in ("nnf", "delta", "omega_sums"):
     np.testing.assert_array_equal(getattr(cuda, name).copy_to_host(), getattr(cpu, name), name)
@@ -404,7 +405,7 @@ for threads in range(1, numba.config.NUMBA_NUM_THREADS + 1):
 
 # %% [markdown]
 # Only the search has to know about this. `stylize(..., backend="cuda")` runs the same loop over
-# levels and votes (`stylit_ref/texture_optimization.py`) with the module of passes exchanged, and
+# levels and votes (`stylit_ref/stylization/synthesis.py`) with the module of passes exchanged, and
 # `Params(schedule="live")` takes the thesis' own kernels on a GPU.
 #
 # ## Exercises

@@ -33,18 +33,18 @@ import numpy as np
 from eval.sharpness import richness
 from eval.usage import coverage, distinct_patches, peak_usage
 from stylit_ref import Params, passes, read_uint8, stylize
-from stylit_ref.error_budget import (
+from stylit_ref.metric.packing import ONE, make_packing
+from stylit_ref.passes.claims import FIXED
+from stylit_ref.randomness.random_stream import RETRIEVAL_NNF, RETRIEVAL_SEARCH, random_stream
+from stylit_ref.stylization.error_budget import (
     SAMPLES,
     correspondences_within_budget,
     fit_hyperbola,
     knee,
 )
-from stylit_ref.formulae.random_stream import RETRIEVAL_NNF, RETRIEVAL_SEARCH, random_stream
-from stylit_ref.level import Level
-from stylit_ref.packing import ONE, make_packing
-from stylit_ref.passes.claims import FIXED
-from stylit_ref.patchmatch import propose_commit
-from stylit_ref.stylit import Retrieval
+from stylit_ref.stylization.level import Level
+from stylit_ref.stylization.schedules import propose_commit
+from stylit_ref.stylization.stylit import Retrieval
 
 DATA = files("data_gen") / "bundled"
 GUIDES = "FULL", "LDE", "LSE", "LDDE", "LD12E"

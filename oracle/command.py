@@ -29,7 +29,7 @@ from oracle.check import (
 )
 from stylit_ref import __version__
 from stylit_ref.errors import InputError
-from stylit_ref.output_file import check_distinct, check_writable, write_text
+from stylit_ref.files.output_file import check_distinct, check_writable, write_text
 
 
 def check_port(options):

@@ -3,9 +3,9 @@
 import numpy as np
 
 from stylit_ref import Params
-from stylit_ref.formulae.row_differences import LANES
-from stylit_ref.level import Level
-from stylit_ref.packing import Packing
+from stylit_ref.machine.vector_ssd import LANES
+from stylit_ref.metric.packing import Packing
+from stylit_ref.stylization.level import Level
 
 
 def level_of_case(passes, parameters, arrays):

@@ -10,24 +10,24 @@ from oracle import stylit_stages
 from oracle.levels import level_of_case
 from stylit_ref import Params
 from stylit_ref import passes as library_passes
-from stylit_ref.checks import fit_levels
-from stylit_ref.formulae.bounded_metric import make_delta_bound
-from stylit_ref.formulae.commit_classes import commit_order
 from stylit_ref.formulae.guide_map import scaled_variance
-from stylit_ref.formulae.patch_moments import LINE_LANES
 from stylit_ref.formulae.patch_penalization import penalization
-from stylit_ref.formulae.philox import philox4x32
-from stylit_ref.formulae.random_stream import (
+from stylit_ref.machine.vector_ssd import LANES
+from stylit_ref.metric.fast_metric import make_delta_bound
+from stylit_ref.metric.lower_bound import LINE_LANES
+from stylit_ref.metric.packing import make_packing, occurrence_weight
+from stylit_ref.randomness.commit_classes import commit_order
+from stylit_ref.randomness.philox import philox4x32
+from stylit_ref.randomness.random_stream import (
     COMMIT_ORDER,
     RANDOM_NNF,
     RANDOM_SEARCH,
     random_stream,
 )
-from stylit_ref.formulae.row_differences import LANES
-from stylit_ref.mask import active_patches
-from stylit_ref.packing import make_packing, occurrence_weight
-from stylit_ref.patchmatch import propose_commit
-from stylit_ref.texture_optimization import texture_optimization
+from stylit_ref.stylization.checks import fit_levels
+from stylit_ref.stylization.mask import active_patches
+from stylit_ref.stylization.schedules import propose_commit
+from stylit_ref.stylization.synthesis import texture_optimization
 
 METHODS_OWN = "uniformity", "epsilon", "budget", "fixed_share", "error_limit"
 """Parameters that only some methods have."""

@@ -3,8 +3,9 @@
 import numpy as np
 
 from oracle.levels import level_of_case
-from stylit_ref import Params, stylit
-from stylit_ref.error_budget import correspondences_within_budget, knee
+from stylit_ref import Params
+from stylit_ref.stylization import stylit
+from stylit_ref.stylization.error_budget import correspondences_within_budget, knee
 
 
 def _budget(_, parameters, arrays):

@@ -6,11 +6,11 @@
 from importlib import import_module
 
 from stylit_ref.errors import InputError
-from stylit_ref.params import PRESETS, Params
-from stylit_ref.profiling import Profile
-from stylit_ref.replaying import replay
-from stylit_ref.stylization import Result, stylize
-from stylit_ref.texture_optimization import Step
+from stylit_ref.machine.profiling import Profile
+from stylit_ref.stylization.params import PRESETS, Params
+from stylit_ref.stylization.replaying import replay
+from stylit_ref.stylization.stylize import Result, stylize
+from stylit_ref.stylization.synthesis import Step
 
 __all__ = [
     "PRESETS",
@@ -29,10 +29,10 @@ __all__ = [
 __version__ = "0.1.0"
 
 _IMAGES = {
-    "read_image": "image_io",
-    "read_uint8": "image_io",
-    "to_uint8": "bit_depth",
-    "write_image": "image_io",
+    "read_image": "files.image_io",
+    "read_uint8": "files.image_io",
+    "to_uint8": "files.bit_depth",
+    "write_image": "files.image_io",
 }
 
 

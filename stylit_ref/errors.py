@@ -2,10 +2,20 @@
 
 
 class InputError(ValueError):
-    """Input that cannot be used: one sentence says what was found and what is needed."""
+    """Input that cannot be used: one sentence says what was found and what is needed.
 
-    def __init__(self, sentence):
-        super().__init__(one_line(sentence))
+    Parameters
+    ----------
+    sentence : str
+        A whole sentence; with ``parameter`` what follows that name.
+    parameter : str, optional
+        Name of the parameter that is refused, as in the signature of what was called. A program
+        with other names, as a command line has them, puts its own before ``sentence``.
+    """
+
+    def __init__(self, sentence, *, parameter=None):
+        self.sentence, self.parameter = one_line(sentence), parameter
+        super().__init__(f"{parameter} {self.sentence}" if parameter else self.sentence)
 
 
 def one_line(text):

@@ -5,9 +5,9 @@ from dataclasses import replace
 import numpy as np
 
 from stylit_ref import Params, passes
-from stylit_ref.formulae.random_stream import RANDOM_NNF, random_stream
-from stylit_ref.level import Level
-from stylit_ref.packing import make_packing
+from stylit_ref.metric.packing import make_packing
+from stylit_ref.randomness.random_stream import RANDOM_NNF, random_stream
+from stylit_ref.stylization.level import Level
 
 
 def make_level(

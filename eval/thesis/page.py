@@ -17,7 +17,7 @@ from eval.runs import stored
 from eval.thesis import pictures, published, tables
 from eval.thesis.claims import claims
 from eval.thesis.quality import DEFINITIONS, MEASURES
-from stylit_ref.kernel import LIBRARY_DIGEST
+from stylit_ref.machine.kernel import LIBRARY_DIGEST
 
 INPUTS = "inputs.json"
 """What a report was made of: where nothing of it changed, it stands."""

@@ -14,7 +14,7 @@ from eval.scenes import BUNDLED, Scene, load_scene
 from eval.thesis.published import EPSILONS, TARGETS, UNIFORMITIES
 from stylit_ref import InputError, Params, read_uint8
 from stylit_ref.formulae.patch_penalization import omega_best
-from stylit_ref.packing import ONE
+from stylit_ref.metric.packing import ONE
 
 STYLES = {
     "stego": "crayon",

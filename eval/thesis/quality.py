@@ -12,7 +12,7 @@ from eval.spilling import spilling
 from eval.split_delta import split_delta
 from eval.usage import coverage, peak_usage, usage_entropy
 from stylit_ref import Params
-from stylit_ref.output_file import write_text
+from stylit_ref.files.output_file import write_text
 
 STORE = Path("build/quality")
 

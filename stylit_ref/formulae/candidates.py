@@ -3,7 +3,7 @@
 import numpy as np
 from numba import njit
 
-from stylit_ref.formulae.philox import uniform_below
+from stylit_ref.randomness.philox import uniform_below
 
 
 @njit

@@ -19,7 +19,7 @@ from math import ceil
 import numpy as np
 from numba import njit
 
-from stylit_ref.formulae.row_differences import make_weighted_ssd
+from stylit_ref.machine.vector_ssd import make_weighted_ssd
 
 
 @njit
@@ -121,7 +121,7 @@ def make_guide_map_delta(patch_width, channels, mean_channels, patch_delta):
     Parameters
     ----------
     patch_width, channels, mean_channels : int
-        See :func:`stylit_ref.formulae.textures.metric_constants`.
+        See :func:`stylit_ref.metric.textures.metric_constants`.
     patch_delta : callable
         δ for patches that are black on the map.
 

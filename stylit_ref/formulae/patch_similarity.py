@@ -14,7 +14,7 @@ def delta(source, target, weights, patch_width, y, x, source_y, source_x):
     Parameters
     ----------
     source : (H_A, W_A, C) uint8
-        Packed source texture :math:`\bar A` (:mod:`stylit_ref.packing`).
+        Packed source texture :math:`\bar A` (:mod:`stylit_ref.metric.packing`).
     target : (H_B + 2 radius, W_B + 2 radius, C) uint8
         Packed target texture :math:`\bar B`, its edge pixels repeated ``radius``
         times, so that every target pixel is the centre of a whole patch.

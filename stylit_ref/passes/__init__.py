@@ -4,7 +4,7 @@ from stylit_ref.passes.claims import invert_nnf, settle_claims
 from stylit_ref.passes.commit import commit
 from stylit_ref.passes.energy import energy
 from stylit_ref.passes.guide_map import guide_map
-from stylit_ref.passes.means import means
+from stylit_ref.passes.guide_sums import means
 from stylit_ref.passes.memory import download, repeat_edge, upload, wait, zeros
 from stylit_ref.passes.occurrence import box_sum, count_assignments, occurrence_map
 from stylit_ref.passes.patch_moments import moments_storage, patch_moments

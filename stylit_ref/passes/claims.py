@@ -1,6 +1,6 @@
 """Source patches claim target patches (StyLit, as told in Hauptfleisch 2020, 2.3.1)."""
 
-from stylit_ref.kernel import kernel
+from stylit_ref.machine.kernel import kernel
 
 FREE, FIXED, CLAIMED = 0, 1, 2
 """What a target patch is; anything but ``FREE`` is closed to a retrieval."""

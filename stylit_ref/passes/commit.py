@@ -9,9 +9,9 @@ class by class of an interleaved lattice, each compared once more with Ω as it 
 import numpy as np
 from numba import get_num_threads, njit, prange, set_num_threads
 
-from stylit_ref.formulae.commit_classes import CLASS_STRIDE, commit_order
 from stylit_ref.formulae.patch_penalization import update_omega_sums
-from stylit_ref.kernel import kernel
+from stylit_ref.machine.kernel import kernel
+from stylit_ref.randomness.commit_classes import CLASS_STRIDE, commit_order
 
 # Threads meet 33 times in a commit. On fewer pixels than this it costs more than it saves, and
 # far more where other programs keep a thread from coming to the meeting.
@@ -96,7 +96,7 @@ def commit(
     occurrence_weight, patch_width : int
     stream : tuple of 4 uint32
         Decides the order of the classes
-        (:func:`stylit_ref.formulae.commit_classes.commit_order`).
+        (:func:`stylit_ref.randomness.commit_classes.commit_order`).
     moves : (1,) int64
         The number of pixels that moved is added to it.
     """

@@ -5,7 +5,7 @@ from functools import lru_cache
 from numba import prange
 
 from stylit_ref.formulae.guide_map import scaled_variance, variance_limit
-from stylit_ref.kernel import kernel
+from stylit_ref.machine.kernel import kernel
 
 
 @lru_cache

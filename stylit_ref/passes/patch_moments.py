@@ -5,8 +5,8 @@ from functools import lru_cache
 import numpy as np
 from numba import get_num_threads, prange
 
-from stylit_ref.formulae.patch_moments import LINE_LANES, POLYNOMIALS, moment_width
-from stylit_ref.kernel import kernel
+from stylit_ref.machine.kernel import kernel
+from stylit_ref.metric.lower_bound import LINE_LANES, POLYNOMIALS, moment_width
 
 
 @lru_cache
@@ -75,7 +75,7 @@ def patch_moments(
     moments : (H', W', lanes) int16
         ``moments[first + y, first + x]`` receives those of the patch whose first pixel
         is ``texture[y, x]`` (of its central 5 x 5 pixels if it is wider), in the order
-        of :attr:`stylit_ref.packing.Packing.moments`. ``first`` is ``radius`` for the
+        of :attr:`stylit_ref.metric.packing.Packing.moments`. ``first`` is ``radius`` for the
         source, whose moments are indexed by patch centre, and 0 for the target, whose
         edge is repeated ``radius`` times.
     patch_width, first : int

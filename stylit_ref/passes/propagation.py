@@ -4,10 +4,10 @@ from functools import lru_cache
 
 from numba import prange
 
-from stylit_ref.formulae.bounded_metric import make_bounded_metric
 from stylit_ref.formulae.candidates import propagation_candidate
-from stylit_ref.formulae.textures import metric_constants
-from stylit_ref.kernel import kernel
+from stylit_ref.machine.kernel import kernel
+from stylit_ref.metric.fast_metric import make_bounded_metric
+from stylit_ref.metric.textures import metric_constants
 
 
 @lru_cache

@@ -8,8 +8,8 @@ import numpy as np
 from numba import prange
 
 from stylit_ref.formulae.candidates import upsampled_assignment
-from stylit_ref.formulae.means import block_mean
-from stylit_ref.kernel import kernel
+from stylit_ref.formulae.rounding import block_mean
+from stylit_ref.machine.kernel import kernel
 
 
 @kernel()

@@ -2,9 +2,9 @@
 
 from numba import prange
 
-from stylit_ref.formulae.philox import uniform_below
-from stylit_ref.formulae.random_stream import random_words
-from stylit_ref.kernel import kernel
+from stylit_ref.machine.kernel import kernel
+from stylit_ref.randomness.philox import uniform_below
+from stylit_ref.randomness.random_stream import random_words
 
 
 @kernel()

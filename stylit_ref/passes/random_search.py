@@ -5,13 +5,13 @@ from functools import lru_cache
 import numpy as np
 from numba import njit, prange
 
-from stylit_ref.formulae.bounded_metric import make_bounded_metric
 from stylit_ref.formulae.candidates import random_candidate
-from stylit_ref.formulae.patch_moments import LINE_LANES
-from stylit_ref.formulae.prefetch import prefetch
-from stylit_ref.formulae.random_stream import random_words
-from stylit_ref.formulae.textures import metric_constants
-from stylit_ref.kernel import kernel
+from stylit_ref.machine.kernel import kernel
+from stylit_ref.machine.prefetch import prefetch
+from stylit_ref.metric.fast_metric import make_bounded_metric
+from stylit_ref.metric.lower_bound import LINE_LANES
+from stylit_ref.metric.textures import metric_constants
+from stylit_ref.randomness.random_stream import random_words
 
 # Random candidates miss every cache, and none depends on how another fared. So a few
 # target pixels take each step together: all candidates are drawn, then asked for from
@@ -119,7 +119,7 @@ def random_search(
     new_nnf, new_delta : arrays like ``nnf`` and ``delta``
         NNF' of the thesis: receives the better assignment and its δ.
     stream : tuple of 4 uint32
-        From :func:`stylit_ref.formulae.random_stream.random_stream`.
+        From :func:`stylit_ref.randomness.random_stream.random_stream`.
     side : int, optional
         The larger side of the target if not given, as in the thesis' kernel.
     """

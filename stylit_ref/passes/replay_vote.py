@@ -3,7 +3,7 @@
 import numpy as np
 from numba import prange
 
-from stylit_ref.kernel import kernel
+from stylit_ref.machine.kernel import kernel
 
 
 @kernel()

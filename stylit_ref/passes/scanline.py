@@ -2,8 +2,8 @@
 
 from stylit_ref.formulae.candidates import propagation_candidate, random_candidate
 from stylit_ref.formulae.improve_assignment import improve_assignment
-from stylit_ref.formulae.random_stream import random_words
-from stylit_ref.kernel import kernel
+from stylit_ref.machine.kernel import kernel
+from stylit_ref.randomness.random_stream import random_words
 
 
 @kernel(parallel=False)

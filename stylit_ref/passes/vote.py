@@ -5,8 +5,8 @@ from functools import lru_cache
 import numpy as np
 from numba import prange
 
-from stylit_ref.formulae.means import rounded_mean
-from stylit_ref.kernel import kernel
+from stylit_ref.formulae.rounding import rounded_mean
+from stylit_ref.machine.kernel import kernel
 
 
 @lru_cache

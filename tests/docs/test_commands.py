@@ -30,8 +30,8 @@ from data_gen.multilayer_exr import write_layers
 from data_gen.renderer import MissingRendererError, start
 from oracle.cases import STAGES
 from stylit_ref import Params, read_uint8
-from stylit_ref.bit_depth import to_linear
-from stylit_ref.packing import ONE, make_packing
+from stylit_ref.files.bit_depth import to_linear
+from stylit_ref.metric.packing import ONE, make_packing
 
 ROOT = Path(__file__).parents[2]
 PAGES = [

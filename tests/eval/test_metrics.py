@@ -17,7 +17,7 @@ from eval.split_delta import split_delta
 from eval.unbounded_search import UNBOUNDED
 from eval.usage import coverage, distinct_patches, peak_usage, usage_entropy
 from stylit_ref import passes, replay
-from stylit_ref.formulae.random_stream import RANDOM_SEARCH, random_stream
+from stylit_ref.randomness.random_stream import RANDOM_SEARCH, random_stream
 
 
 def scene(**sizes):

@@ -1,8 +1,8 @@
 import numpy as np
 
 from stylit_ref.formulae.candidates import propagation_candidate, random_candidate
-from stylit_ref.formulae.commit_classes import CLASS_STRIDE, commit_order
-from stylit_ref.formulae.random_stream import COMMIT_ORDER, random_stream
+from stylit_ref.randomness.commit_classes import CLASS_STRIDE, commit_order
+from stylit_ref.randomness.random_stream import COMMIT_ORDER, random_stream
 
 
 def test_propagation_continues_the_neighbours_area():

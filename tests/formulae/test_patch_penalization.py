@@ -11,7 +11,7 @@ from stylit_ref.formulae.patch_penalization import (
     update_omega_sums,
     update_patch_omega,
 )
-from stylit_ref.packing import occurrence_weight
+from stylit_ref.metric.packing import occurrence_weight
 
 
 @pytest.mark.parametrize("patch_width", [3, 5, 7])

@@ -6,9 +6,9 @@ import pytest
 from numba import njit
 from small_level import make_level
 
-from stylit_ref.formulae.bounded_metric import make_bounded_metric
 from stylit_ref.formulae.patch_similarity import delta
-from stylit_ref.formulae.textures import metric_constants
+from stylit_ref.metric.fast_metric import make_bounded_metric
+from stylit_ref.metric.textures import metric_constants
 
 CASES = [
     {"patch_width": 3},

@@ -3,7 +3,7 @@ from pathlib import Path
 
 import pytest
 
-from gpu_cuda import doctor
+from gpu_cuda.host import doctor
 
 sys.path.append(str(Path(__file__).parent))
 

@@ -5,7 +5,7 @@ from copy import copy
 from numba import cuda
 
 import gpu_cuda
-from gpu_cuda.device import SIMULATED
+from gpu_cuda.host.device import SIMULATED
 
 FULL_SIZES = (
     []

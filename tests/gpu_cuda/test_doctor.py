@@ -4,7 +4,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from gpu_cuda import doctor
+from gpu_cuda.host import doctor
 
 
 def machine(driver=(13, 0), capability=(9, 0), context=lambda: None, nvvm=lambda: None):

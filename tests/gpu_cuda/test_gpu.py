@@ -13,10 +13,10 @@ from device_level import on_device, to_host
 from small_level import make_level
 from small_scene import small_scene
 
-from gpu_cuda.device import SIMULATED
+from gpu_cuda.host.device import SIMULATED
 from gpu_cuda.metric import launch_search
 from stylit_ref import Params, passes, stylize
-from stylit_ref.formulae.random_stream import RANDOM_SEARCH, random_stream
+from stylit_ref.randomness.random_stream import RANDOM_SEARCH, random_stream
 
 pytestmark = pytest.mark.skipif(SIMULATED, reason="needs a GPU: make test-gpu")
 

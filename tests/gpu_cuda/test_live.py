@@ -9,7 +9,7 @@ import gpu_cuda
 from stylit_ref import passes
 from stylit_ref.formulae.candidates import random_candidate
 from stylit_ref.formulae.improve_assignment import improve_assignment
-from stylit_ref.formulae.random_stream import RANDOM_SEARCH, random_stream, random_words
+from stylit_ref.randomness.random_stream import RANDOM_SEARCH, random_stream, random_words
 
 CASES = [
     {},

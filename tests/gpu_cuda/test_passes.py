@@ -9,11 +9,11 @@ from device_level import FULL_SIZES, on_device, to_host
 from small_level import make_level
 
 import gpu_cuda
-from gpu_cuda import launched_commit, shared_memory
 from gpu_cuda.metric import MetricConstants, launch_search
 from gpu_cuda.target_patches import make_target_patch
+from gpu_cuda.variants import launched_commit, shared_memory
 from stylit_ref import InputError, passes
-from stylit_ref.formulae.random_stream import (
+from stylit_ref.randomness.random_stream import (
     COMMIT_ORDER,
     RANDOM_NNF,
     RANDOM_SEARCH,
@@ -200,8 +200,8 @@ def test_means_and_guide_map(patch_width):
         getattr(device.textures, name).copy_to_device(np.zeros_like(array))
     radius = patch_width // 2
     textures = device.textures
-    gpu_cuda.means(textures.source, textures.source_sums, patch_width, radius)
-    gpu_cuda.means(textures.target, textures.target_sums, patch_width, 0)
+    gpu_cuda.guide_sums(textures.source, textures.source_sums, patch_width, radius)
+    gpu_cuda.guide_sums(textures.target, textures.target_sums, patch_width, 0)
     gpu_cuda.guide_map(
         textures.target,
         textures.target_sums,

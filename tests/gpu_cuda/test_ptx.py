@@ -4,11 +4,11 @@ import ast
 from pathlib import Path
 
 import gpu_cuda
-from gpu_cuda.ptx import kernels
+from gpu_cuda.host.ptx import kernels
 
 
 def test_every_kernel_is_compiled():
-    files = Path(gpu_cuda.__file__).parent.glob("*.py")
+    files = Path(gpu_cuda.__file__).parent.rglob("*.py")
     written = {
         node.name
         for file in files

@@ -8,7 +8,7 @@ from small_scene import small_scene
 
 import gpu_cuda
 from eval import gpu_record
-from gpu_cuda.device import SIMULATED
+from gpu_cuda.host.device import SIMULATED
 from stylit_ref import Params
 
 QUICK = {"levels": 1, "votes": 1, "patchmatch_iterations": 1}

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from small_scene import small_scene
 
-from gpu_cuda import doctor
-from gpu_cuda.device import SIMULATED
+from gpu_cuda.host import doctor
+from gpu_cuda.host.device import SIMULATED
 from stylit_ref import InputError, Params, Profile, stylize
 from stylit_ref.cli import main
 
@@ -98,9 +98,9 @@ def test_a_full_device_is_one_sentence(monkeypatch):
         def get_memory_info():
             return 3 << 20, 100 << 20
 
-    monkeypatch.setattr("gpu_cuda.memory.cuda.device_array", refuse)
-    monkeypatch.setattr("gpu_cuda.memory.cuda.to_device", refuse)
-    monkeypatch.setattr("gpu_cuda.memory.cuda.current_context", Context)
+    monkeypatch.setattr("gpu_cuda.host.memory.cuda.device_array", refuse)
+    monkeypatch.setattr("gpu_cuda.host.memory.cuda.to_device", refuse)
+    monkeypatch.setattr("gpu_cuda.host.memory.cuda.current_context", Context)
     with pytest.raises(InputError, match=r"the GPU has 3 of 100 MiB free and needs \d+ more"):
         stylize(*small_scene(**SCENE), Params(**QUICK), backend="cuda")
 

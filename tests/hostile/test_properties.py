@@ -17,16 +17,16 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 from small_scene import small_scene
 
-import stylit_ref.stylization
+import stylit_ref.stylization.stylize
 from data_gen.manifest import DataError, Manifest
 from eval.runs import read
 from stylit_ref import InputError, Params, read_image, replay, stylize, write_image
 from stylit_ref.cli import main
+from stylit_ref.files.output_file import check_writable
 from stylit_ref.formulae.guide_map import patch_sum, scaled_variance, variance_limit
-from stylit_ref.formulae.means import rounded_mean
-from stylit_ref.formulae.philox import uniform_below
-from stylit_ref.output_file import check_writable
-from stylit_ref.packing import ONE, make_packing, occurrence_weight
+from stylit_ref.formulae.rounding import rounded_mean
+from stylit_ref.metric.packing import ONE, make_packing, occurrence_weight
+from stylit_ref.randomness.philox import uniform_below
 
 DTYPES = ("uint8", "uint16", "int16", "int32", "float32", "float64", "bool", "object", ">i4", "U1")
 
@@ -132,7 +132,7 @@ def door(monkeypatch):
     def opened(*_):
         raise PassedError
 
-    monkeypatch.setattr(stylit_ref.stylization, "texture_optimization", opened)
+    monkeypatch.setattr(stylit_ref.stylization.stylize, "texture_optimization", opened)
 
 
 SIDES = st.integers(0, 8)

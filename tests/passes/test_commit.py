@@ -7,8 +7,8 @@ import pytest
 from small_level import make_level
 
 from stylit_ref import passes
-from stylit_ref.formulae.commit_classes import CLASS_STRIDE, commit_order
-from stylit_ref.formulae.random_stream import COMMIT_ORDER, random_stream
+from stylit_ref.randomness.commit_classes import CLASS_STRIDE, commit_order
+from stylit_ref.randomness.random_stream import COMMIT_ORDER, random_stream
 
 
 def propose(level):

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 from small_level import make_level
 
-from stylit_ref.formulae.patch_moments import POLYNOMIALS, moment_width, patch_moment
+from stylit_ref.metric.lower_bound import POLYNOMIALS, moment_width, patch_moment
 
 
 def expected_moments(texture, packing, patch_width, first_y, first_x):

@@ -11,7 +11,7 @@ from small_level import make_level
 from stylit_ref import passes
 from stylit_ref.formulae.candidates import propagation_candidate, random_candidate
 from stylit_ref.formulae.improve_assignment import phi
-from stylit_ref.formulae.random_stream import RANDOM_SEARCH, random_stream, random_words
+from stylit_ref.randomness.random_stream import RANDOM_SEARCH, random_stream, random_words
 
 CASES = [
     {},

@@ -6,7 +6,7 @@ import pytest
 from small_level import make_level
 
 from stylit_ref import passes
-from stylit_ref.formulae.random_stream import RANDOM_SEARCH, random_stream
+from stylit_ref.randomness.random_stream import RANDOM_SEARCH, random_stream
 
 
 def total_phi(level):

@@ -1,0 +1,68 @@
+"""The passes with a launch for every step of a commit: what its cooperative kernel saves.
+
+For measurements; the results are the same.
+"""
+
+from functools import lru_cache
+
+import numpy as np
+from numba import cuda
+
+import gpu_cuda
+from gpu_cuda.commit import CLASSES, class_size, decide, make_follow
+from gpu_cuda.host.device import launch
+from stylit_ref.randomness.commit_classes import CLASS_STRIDE, commit_order
+
+__all__ = gpu_cuda.__all__
+
+
+def __getattr__(name):
+    """The other passes are the plain ones."""
+    return getattr(gpu_cuda, name)
+
+
+@cuda.jit
+def decide_kernel(
+    nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight,
+    first_y, first_x, moves,
+):  # fmt: skip
+    column, row = cuda.grid(2)
+    height, width = delta.shape
+    if row < class_size(height, first_y) and column < class_size(width, first_x):
+        y, x = first_y + CLASS_STRIDE * row, first_x + CLASS_STRIDE * column
+        if decide(nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, y, x):
+            cuda.atomic.add(moves, 0, 1)
+
+
+@lru_cache
+def make_follow_kernel(patch_width):
+    """Compile the step in which W follows."""
+    follow = make_follow(patch_width)
+
+    @cuda.jit
+    def follow_kernel(nnf, proposed_nnf, omega_sums, first_y, first_x):
+        column, row = cuda.grid(2)
+        height, width = nnf.shape[0], nnf.shape[1]
+        if row < class_size(height, first_y) and column < class_size(width, first_x):
+            y, x = first_y + CLASS_STRIDE * row, first_x + CLASS_STRIDE * column
+            follow(nnf, proposed_nnf, omega_sums, y, x)
+
+    return follow_kernel
+
+
+def commit(
+    nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, patch_width, stream,
+    moves,
+):  # fmt: skip
+    """As :func:`gpu_cuda.commit`."""
+    order = np.empty((CLASSES, 2), np.int32)
+    commit_order(stream, order)
+    follow_kernel = make_follow_kernel(patch_width)
+    for first_y, first_x in order.tolist():
+        size = [-(-side // CLASS_STRIDE) for side in delta.shape]
+        launch(
+            decide_kernel, size, nnf, delta, proposed_nnf, proposed_delta, omega_sums,
+            occurrence_weight, first_y, first_x, moves,
+        )  # fmt: skip
+        if occurrence_weight:
+            launch(follow_kernel, size, nnf, proposed_nnf, omega_sums, first_y, first_x)

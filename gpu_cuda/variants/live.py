@@ -1,0 +1,160 @@
+"""Ω as the thesis updates it: while the kernels run, with atomics (3.2, 3.3).
+
+Not reproducible, since it depends on which thread comes first; judged by what must hold
+(ΣΩ, Ω equals a recount) and by its energy. Two forms:
+
+``ImproveAssignment`` as in 3.2
+    ρ sums w² elements of Ω, and every change of an assignment is 2 w² atomics.
+with W
+    ρ is one read of W, Ω summed over each patch, and a change is 2 (2w - 1)² atomics.
+"""
+
+from functools import lru_cache
+
+import numpy as np
+from numba import cuda
+
+from gpu_cuda.formulae import (
+    patch_omega,
+    penalization,
+    propagation_candidate,
+    random_candidate,
+    random_words,
+)
+from gpu_cuda.host.device import device_function, formula, launch
+from gpu_cuda.improve_proposal import NO_LIMIT, make_assignment_delta
+from gpu_cuda.metric import metric_arrays, metric_constants
+from gpu_cuda.patch_penalization import make_atomic_updates
+from gpu_cuda.target_patches import make_target_patch
+
+
+@lru_cache
+def make_kernels(constants, with_sums):
+    """Compile Kernel_Propagation and Kernel_RandomSearch of 3.3.
+
+    Parameters
+    ----------
+    constants : gpu_cuda.metric.MetricConstants
+    with_sums : bool
+        Whether the map is W, not Ω.
+    """
+    patch_width, radius = constants.patch_width, constants.radius
+    assignment_delta = formula(make_assignment_delta(constants))
+    target_patch = make_target_patch(constants, None, shared=False)
+    update_patch_omega, update_omega_sums = make_atomic_updates(patch_width)
+    update = update_omega_sums if with_sums else update_patch_omega
+
+    @device_function
+    def summed_penalization(omega, occurrence_weight, source_y, source_x):
+        return occurrence_weight * np.int64(patch_omega(omega, patch_width, source_y, source_x))
+
+    lambda_rho = penalization if with_sums else summed_penalization
+
+    @device_function
+    def improve_assignment(
+        metric, patch, omega, occurrence_weight, y, x, new_y, new_x, current_y, current_x
+    ):
+        """Keep the closer of two assignments and bring Ω up to date (ImproveAssignment, 3.2)."""
+        source_width = omega.shape[1]
+        phi_current = lambda_rho(omega, occurrence_weight, current_y, current_x) + assignment_delta(
+            metric, source_width, patch, y, x, current_y, current_x, NO_LIMIT
+        )
+        phi_new = lambda_rho(omega, occurrence_weight, new_y, new_x) + assignment_delta(
+            metric, source_width, patch, y, x, new_y, new_x, NO_LIMIT
+        )
+        if phi_new < phi_current:
+            update(omega, new_y, new_x, 1)
+            update(omega, current_y, current_x, -1)
+            return new_y, new_x
+        return current_y, current_x
+
+    @cuda.jit
+    def propagation_kernel(
+        source, target, weights, guide_map, target_sums, source_sums, omega, occurrence_weight,
+        nnf, new_nnf, distance,
+    ):  # fmt: skip
+        x, y = cuda.grid(2)
+        height, width = nnf.shape[0], nnf.shape[1]
+        if y >= height or x >= width:
+            return
+        metric = source, weights, guide_map, target_sums, source_sums
+        patch = target_patch(target, width, y, x)
+        best_y, best_x = np.int64(nnf[y, x, 0]), np.int64(nnf[y, x, 1])
+        if best_y >= 0:
+            for dy, dx in ((0, distance), (distance, 0), (0, -distance), (-distance, 0)):
+                near_y, near_x = y + dy, x + dx
+                if near_y < 0 or near_y >= height or near_x < 0 or near_x >= width:
+                    continue
+                if nnf[near_y, near_x, 0] < 0:
+                    continue
+                candidate_y, candidate_x = propagation_candidate(
+                    nnf[near_y, near_x, 0], nnf[near_y, near_x, 1], dy, dx,
+                    radius, omega.shape[0], omega.shape[1],
+                )  # fmt: skip
+                best_y, best_x = improve_assignment(
+                    metric, patch, omega, occurrence_weight, y, x,
+                    np.int64(candidate_y), np.int64(candidate_x), best_y, best_x,
+                )  # fmt: skip
+        new_nnf[y, x, 0], new_nnf[y, x, 1] = best_y, best_x
+
+    @cuda.jit
+    def random_search_kernel(
+        source, target, weights, guide_map, target_sums, source_sums, omega, occurrence_weight,
+        nnf, stream,
+    ):  # fmt: skip
+        x, y = cuda.grid(2)
+        height, width = nnf.shape[0], nnf.shape[1]
+        if y >= height or x >= width or nnf[y, x, 0] < 0:
+            return
+        metric = source, weights, guide_map, target_sums, source_sums
+        patch = target_patch(target, width, y, x)
+        centre_y, centre_x = np.int64(nnf[y, x, 0]), np.int64(nnf[y, x, 1])
+        best_y, best_x = centre_y, centre_x
+        search_radius, k = 1, 0
+        while search_radius <= max(height, width) // 2:
+            words = random_words(stream, y * width + x, k)
+            candidate_y, candidate_x = random_candidate(
+                words[0], words[1], centre_y, centre_x, search_radius,
+                radius, omega.shape[0], omega.shape[1],
+            )  # fmt: skip
+            best_y, best_x = improve_assignment(
+                metric, patch, omega, occurrence_weight, y, x,
+                np.int64(candidate_y), np.int64(candidate_x), best_y, best_x,
+            )  # fmt: skip
+            search_radius, k = 2 * search_radius, k + 1
+        nnf[y, x, 0], nnf[y, x, 1] = best_y, best_x
+
+    return propagation_kernel, random_search_kernel
+
+
+def live_propagation(
+    textures, occurrences, are_sums, occurrence_weight, patch_width, nnf, new_nnf, distance
+):
+    """Kernel_Propagation of 3.3, Ω (or W, if ``are_sums``) following by atomics.
+
+    Parameters
+    ----------
+    textures : Textures
+    occurrences : (H_A, W_A) int32
+    are_sums : bool
+    occurrence_weight, patch_width : int
+    nnf, new_nnf : (H_B, W_B, 2) int32
+        NNF and NNF' of the thesis.
+    distance : int
+    """
+    kernel, _ = make_kernels(metric_constants(textures, patch_width), are_sums)
+    launch(
+        kernel, nnf.shape[:2], *metric_arrays(textures), occurrences, occurrence_weight,
+        nnf, new_nnf, distance,
+    )  # fmt: skip
+
+
+def live_random_search(
+    textures, occurrences, are_sums, occurrence_weight, patch_width, nnf, stream
+):
+    """Kernel_RandomSearch of 3.3, parameters as for :func:`live_propagation`."""
+    _, kernel = make_kernels(metric_constants(textures, patch_width), are_sums)
+    launch(
+        kernel, nnf.shape[:2], *metric_arrays(textures), occurrences, occurrence_weight,
+        nnf, stream,
+    )  # fmt: skip

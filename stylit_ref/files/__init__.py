@@ -1,0 +1,1 @@
+"""Image files in and out, and how many bits their values have."""

@@ -1,0 +1,187 @@
+"""Guides and style in one texture, and the weights of the metric (thesis 2.1, 3.2).
+
+The thesis keeps guidance and style channels together in textures Ā and B̄. So does
+this module, in a layout for vector instructions: guides first, then style, a pixel
+padded to a multiple of 16 bytes, and neighbouring channels ``2k`` and ``2k + 1`` always
+of equal weight (a padding channel, zero on both sides, goes between where needed).
+
+Weights are fixed-point integers, so that φ is an exact integer in any order of
+evaluation: on every processor, with any number of threads.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from stylit_ref.errors import InputError
+from stylit_ref.formulae.patch_penalization import omega_best
+from stylit_ref.machine.vector_ssd import LANES
+from stylit_ref.metric.lower_bound import (
+    BOUND_SCALE,
+    CONSTANT,
+    LINE_LANES,
+    STYLE_DEGREES,
+    moment_width,
+    squared_norm,
+)
+
+ONE = 1 << 16
+"""Fixed-point one: φ, λρ and δ are held in units of 1/65536."""
+
+
+@dataclass(frozen=True)
+class Packing:
+    """Where each channel lies in a packed pixel, and its weight.
+
+    Attributes
+    ----------
+    guide_channels : tuple of int
+        First packed channel of each guide.
+    style_channel, style_channels : int
+        First packed channel of the style and the number of its channels.
+    channels : int
+        Packed channels a pixel, a multiple of 16.
+    weights : (channels,) int64
+        Fixed-point factor of each channel's squared differences.
+    """
+
+    guide_channels: tuple[int, ...]
+    style_channel: int
+    style_channels: int
+    channels: int
+    weights: np.ndarray
+
+    @property
+    def pair_weights(self):
+        """Weights of neighbouring channels, (channels / 2,) uint32."""
+        return self.weights.reshape(-1, 2).max(axis=1).astype(np.uint32)
+
+    @property
+    def style_pair_weights(self):
+        """The same without the guides', (channels / 2,) uint32."""
+        weights = self.pair_weights
+        weights[: self.style_channel // 2] = 0
+        return weights
+
+    @property
+    def moments(self):
+        """What each lane of a patch's moments holds: channel and degrees, or None for nothing.
+
+        A tuple of ``(channel, (vertical, horizontal))``, filling whole cache lines:
+        the sums of all channels, then the higher moments of the style's.
+        """
+        lanes = [(channel, CONSTANT) for channel in range(self.channels)]
+        style = range(self.style_channel, self.style_channel + self.style_channels)
+        for degrees in STYLE_DEGREES:
+            lanes += [(channel, degree) for channel in style for degree in degrees]
+        return (*lanes, *[None] * (-len(lanes) % LINE_LANES))
+
+    def moment_weights(self, patch_width, guide_map=False):
+        """Weights of neighbouring lanes in the bound of δ, (lanes / 2,) uint32.
+
+        Rounded down: the bound stays one. Of the δ of a guide map, which compares the
+        guides of whole patches by their means, the means of a part are no bound.
+        """
+        width = moment_width(patch_width)
+        guides_bound = width == patch_width or not guide_map
+        weights = [
+            BOUND_SCALE * int(self.weights[lane[0]]) // squared_norm(width, lane[1])
+            if lane and (guides_bound or lane[0] >= self.style_channel)
+            else 0
+            for lane in self.moments
+        ]
+        return np.array(weights).reshape(-1, 2).max(axis=1).astype(np.uint32)
+
+    def largest_delta(self, patch_width):
+        """What no δ exceeds, fixed point."""
+        return patch_width**2 * 255**2 * int(self.weights.sum())
+
+    def pack(self, guides, style=None):
+        """Lay guides and style side by side.
+
+        Parameters
+        ----------
+        guides : sequence of (H, W, n) uint8
+        style : (H, W, style_channels) uint8, optional
+            Zeros if it is not known yet.
+
+        Returns
+        -------
+        (H, W, channels) uint8
+        """
+        texture = np.zeros((*guides[0].shape[:2], self.channels), np.uint8)
+        for first, guide in zip(self.guide_channels, guides, strict=True):
+            texture[:, :, first : first + guide.shape[2]] = guide
+        if style is not None:
+            self.style(texture)[:] = style
+        return texture
+
+    def style(self, texture):
+        """View of a packed texture's style channels."""
+        return texture[:, :, self.style_channel : self.style_channel + self.style_channels]
+
+
+def make_packing(guide_sizes, style_channels, guide_influence, guide_weights):
+    """Lay out channels and weights.
+
+    Each guide channel weighs μ/n_g times its guide's weight and each style channel
+    1/n_s (SSD, thesis 3.2), n_g and n_s being the numbers of channels.
+
+    Parameters
+    ----------
+    guide_sizes : sequence of int
+        Channels of each guide.
+    style_channels : int
+    guide_influence : float
+        μ.
+    guide_weights : sequence of float
+
+    Returns
+    -------
+    Packing
+
+    Raises
+    ------
+    InputError
+        If a weight rounds to 0 or does not fit 32 bits in fixed point.
+    """
+    weights, guide_channels = [], []
+    per_channel = guide_influence / sum(guide_sizes)
+    for size, guide_weight in zip(guide_sizes, guide_weights, strict=True):
+        fixed = round(ONE * per_channel * guide_weight)
+        if guide_weight and guide_influence and not fixed:
+            raise InputError(
+                f"guide weight {guide_weight:g} with guide influence {guide_influence:g} is too "
+                "small to count; a weight of 0 ignores the guide"
+            )
+        if fixed >= 1 << 32:
+            raise InputError(
+                f"guide weight {guide_weight:g} times guide influence {guide_influence:g} "
+                f"is too large; their product over all guide channels must stay below 65536"
+            )
+        if len(weights) % 2 and weights[-1] != fixed:
+            weights.append(0)
+        guide_channels.append(len(weights))
+        weights += [fixed] * size
+    weights += [0] * (len(weights) % 2)
+    style_channel = len(weights)
+    weights += [round(ONE / style_channels)] * style_channels
+    weights += [0] * (-len(weights) % LANES)
+    return Packing(
+        tuple(guide_channels),
+        style_channel,
+        style_channels,
+        len(weights),
+        np.array(weights, np.int64),
+    )
+
+
+def occurrence_weight(uniformity, patch_width, source_pixels, target_patches):
+    """Fixed-point factor of W in φ: ``λ / (w² ω_best)``, since λρ = λω/ω_best and W = w²ω.
+
+    Returns
+    -------
+    int
+    """
+    best = omega_best(patch_width, source_pixels, target_patches)
+    return round(ONE * uniformity / (patch_width**2 * best))

@@ -1,0 +1,70 @@
+"""The arguments that many passes share, in their order: what a search reads and writes."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from stylit_ref.metric.textures import Textures
+
+
+class Proposal(NamedTuple):
+    """What every pass that proposes assignments begins with: ``propose(*proposal, ...)``.
+
+    Attributes
+    ----------
+    textures : Textures
+    omega_sums : (H_A, W_A) int32
+        W, Ω summed over each patch.
+    occurrence_weight : int
+        Weight of W in φ, fixed point.
+    patch_width : int
+    nnf : (H_B, W_B, 2) int32
+        Assignments to start from; negative where a mask leaves the pixel alone.
+    delta : (H_B, W_B) int64
+        Their δ, fixed point.
+    new_nnf, new_delta : arrays like ``nnf`` and ``delta``
+        NNF' of the thesis: receives the better assignment and its δ.
+    """
+
+    textures: Textures
+    omega_sums: np.ndarray
+    occurrence_weight: int
+    patch_width: int
+    nnf: np.ndarray
+    delta: np.ndarray
+    new_nnf: np.ndarray
+    new_delta: np.ndarray
+
+    def taken(self):
+        """The same when all that was proposed is assigned: both fields change places."""
+        return self._replace(
+            nnf=self.new_nnf, delta=self.new_delta, new_nnf=self.nnf, new_delta=self.delta
+        )
+
+
+class Commitment(NamedTuple):
+    """What a commit reads and writes: ``commit(*commitment)``.
+
+    Attributes
+    ----------
+    nnf, delta : (H_B, W_B, 2) int32 and (H_B, W_B) int64
+        Assignments and their δ.
+    proposed_nnf, proposed_delta : arrays like ``nnf`` and ``delta``
+    omega_sums : (H_A, W_A) int32
+        W, Ω summed over each patch.
+    occurrence_weight, patch_width : int
+    stream : tuple of 4 uint32
+        Decides the order of the classes.
+    moves : (1,) int64
+        The number of pixels that moved is added to it.
+    """
+
+    nnf: np.ndarray
+    delta: np.ndarray
+    proposed_nnf: np.ndarray
+    proposed_delta: np.ndarray
+    omega_sums: np.ndarray
+    occurrence_weight: int
+    patch_width: int
+    stream: tuple
+    moves: np.ndarray

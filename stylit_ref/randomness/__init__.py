@@ -1,0 +1,1 @@
+"""Which random number belongs to which draw."""

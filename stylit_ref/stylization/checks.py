@@ -1,0 +1,130 @@
+"""What ``stylize`` refuses at the door; every refusal is one sentence with the sizes."""
+
+import warnings
+from dataclasses import replace
+
+import numpy as np
+
+from stylit_ref.arrays import as_array
+from stylit_ref.errors import InputError
+from stylit_ref.formulae.patch_penalization import omega_best
+from stylit_ref.metric.lower_bound import BOUND_SCALE
+from stylit_ref.metric.packing import ONE, occurrence_weight
+
+
+def size(shape):
+    """``width x height`` of an array shape, as images are spoken of."""
+    return f"{shape[1]}x{shape[0]}"
+
+
+def as_image(array, name):
+    """The array as (H, W, n) uint8."""
+    array = as_array(array, name)
+    if array.dtype != np.uint8:
+        raise InputError(f"{name} has dtype {array.dtype}; it must be uint8 (to_uint8 converts)")
+    if array.ndim == 2:
+        array = array[:, :, None]
+    if array.ndim != 3 or 0 in array.shape:
+        raise InputError(f"{name} has shape {array.shape}; it must be (H, W) or (H, W, channels)")
+    return array
+
+
+def check_guides(style, sources, targets, source_names=None, target_names=None):
+    """Guides come in pairs and fit the style and each other.
+
+    ``source_names`` and ``target_names`` are what the images are called in a refusal.
+    """
+    if len(sources) != len(targets):
+        raise InputError(
+            f"there are {len(sources)} source guides and {len(targets)} target guides; "
+            "each source guide needs its target"
+        )
+    if not sources:
+        raise InputError("there are no guides; at least one pair is needed")
+    numbers = range(1, len(sources) + 1)
+    source_names = source_names or [f"source guide {k}" for k in numbers]
+    target_names = target_names or [f"target guide {k}" for k in numbers]
+    for source, target, source_name, target_name in zip(
+        sources, targets, source_names, target_names, strict=True
+    ):
+        if source.shape[:2] != style.shape[:2]:
+            raise InputError(
+                f"{source_name} is {size(source.shape)} but the style is "
+                f"{size(style.shape)}; they must have the same size"
+            )
+        if target.shape[:2] != targets[0].shape[:2]:
+            raise InputError(
+                f"{target_name} is {size(target.shape)} but {target_names[0]} is "
+                f"{size(targets[0].shape)}; they must have the same size"
+            )
+        if source.shape[2] != target.shape[2]:
+            raise InputError(
+                f"{source_name} has {source.shape[2]} channels and {target_name} has "
+                f"{target.shape[2]}; they must have the same number"
+            )
+
+
+def check_mask(mask, fill, target_size, style_channels, mask_name="mask", fill_name="fill"):
+    """Mask and fill have the target's size, and something is left to synthesize."""
+    if mask.dtype != bool or mask.ndim != 2:
+        raise InputError(f"mask is {mask.dtype} of shape {mask.shape}; it must be bool, (H, W)")
+    if mask.shape != target_size:
+        raise InputError(f"{mask_name} is {size(mask.shape)} but the target is {size(target_size)}")
+    if mask.all():
+        raise InputError(f"{mask_name} leaves the whole target alone; nothing is to be synthesized")
+    if fill is None:
+        return
+    fill = as_image(fill, fill_name)
+    if fill.shape != (*target_size, style_channels):
+        raise InputError(
+            f"{fill_name} is {size(fill.shape)} with {fill.shape[2]} channels; it must be "
+            f"{size(target_size)} with the style's {style_channels}"
+        )
+
+
+def fit_levels(params, source_size, target_size):
+    """Fewer levels where the coarsest would be smaller than a patch."""
+    for name, shape in (("source", source_size), ("target", target_size)):
+        if min(shape) < params.patch_width:
+            raise InputError(
+                f"patch_width is {params.patch_width} but the {name} is {size(shape)}; "
+                "a patch must fit into the image"
+            )
+    levels, shortest = 1, min(*source_size, *target_size)
+    while shortest >> levels >= params.patch_width and levels < params.levels:
+        levels += 1
+    if levels < params.levels:
+        warnings.warn(
+            f"{levels} pyramid levels in place of {params.levels}: "
+            f"a coarser one would be smaller than a patch",
+            stacklevel=3,
+        )
+    return replace(params, levels=levels)
+
+
+def check_range(packing, params, source_size, target_patches):
+    """The integers of the metric must fit: W 32 bits; φ, times the scale of its bound, 64."""
+    patch_pixels = params.patch_width**2
+    if target_patches * patch_pixels >= 1 << 31:
+        raise InputError(
+            f"{target_patches} target patches of {patch_pixels} pixels overflow the occurrence "
+            f"map; at most {(1 << 31) // patch_pixels} patches of that width are possible"
+        )
+    source_pixels = source_size[0] * source_size[1]
+    weight = occurrence_weight(params.uniformity, params.patch_width, source_pixels, target_patches)
+    best = omega_best(params.patch_width, source_pixels, target_patches)
+    exact = params.uniformity / (patch_pixels * best)
+    if abs(weight - ONE * exact) > 0.01 * ONE * exact:
+        warnings.warn(
+            f"uniformity {params.uniformity:g} is rounded to "
+            f"{params.uniformity * weight / (ONE * exact):g}: so small a weight has no finer "
+            f"fixed-point value with patches of width {params.patch_width}",
+            stacklevel=3,
+        )
+    largest_phi = weight * patch_pixels * target_patches + packing.largest_delta(params.patch_width)
+    factor = patch_pixels if params.method == "guide_map" else BOUND_SCALE
+    if largest_phi * factor >= 1 << 62:
+        raise InputError(
+            f"uniformity {params.uniformity:g} with guide influence {params.guide_influence:g} "
+            "overflows 64-bit integers on images of this size; choose smaller ones"
+        )

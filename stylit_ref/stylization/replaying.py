@@ -1,0 +1,83 @@
+"""``replay``: another style image through a saved nearest-neighbour field."""
+
+import warnings
+from numbers import Integral
+
+import numpy as np
+
+from stylit_ref.arrays import as_array
+from stylit_ref.errors import InputError
+from stylit_ref.passes import replay_vote
+from stylit_ref.stylization.checks import size
+
+
+def replay(
+    nnf: np.ndarray, style: np.ndarray, *, patch_width: int = 5, scale: int = 1
+) -> np.ndarray:
+    """Vote a style image through a nearest-neighbour field, at its own bit depth.
+
+    With the style, the NNF and the patch width of a run the result is that run's
+    image. The style may also be another rendition of the same size (16 bit, float,
+    other colours), or an enlargement.
+
+    Parameters
+    ----------
+    nnf : (H_B, W_B, 2) int32
+        From :class:`stylit_ref.Result`; negative where nothing is assigned.
+    style : (H, W) or (H, W, n) uint8, uint16 or float32
+        ``scale`` times the size of the style the NNF was made with.
+    patch_width : int
+        The run's.
+    scale : int
+        How many times larger the style is.
+
+    Returns
+    -------
+    (scale * H_B, scale * W_B) or (scale * H_B, scale * W_B, n) of the style's dtype
+        Means of integers are rounded half up. Pixels that no assigned patch covers
+        are 0.
+
+    Raises
+    ------
+    InputError
+        If the NNF is not one, or points outside the style.
+    """
+    nnf, style = as_array(nnf, "the NNF"), as_array(style, "style")
+    if nnf.dtype != np.int32 or nnf.ndim != 3 or nnf.shape[2] != 2 or 0 in nnf.shape:
+        raise InputError(
+            f"the NNF is {nnf.dtype} of shape {nnf.shape}; it must be int32 of shape (H, W, 2)"
+        )
+    if style.dtype not in (np.uint8, np.uint16, np.float32):
+        raise InputError(f"style has dtype {style.dtype}; it must be uint8, uint16 or float32")
+    if style.ndim not in (2, 3) or 0 in style.shape:
+        raise InputError(f"style has shape {style.shape}; it must be (H, W) or (H, W, channels)")
+    if not isinstance(patch_width, Integral) or patch_width % 2 == 0 or not 1 <= patch_width <= 63:
+        raise InputError(f"patch_width is {patch_width}; it must be an odd integer from 1 to 63")
+    if not isinstance(scale, Integral) or scale < 1:
+        raise InputError(f"scale is {scale}; it must be a positive integer")
+    if style.shape[0] % scale or style.shape[1] % scale:
+        raise InputError(
+            f"the style is {size(style.shape)}; its sides must be multiples of the scale {scale}"
+        )
+    radius = patch_width // 2
+    assigned = nnf[nnf[:, :, 0] >= 0]
+    limit = np.array(style.shape[:2]) // scale - 1 - radius
+    if assigned.size and ((assigned < radius).any() or (assigned > limit).any()):
+        low, high = assigned.min(axis=0).tolist(), assigned.max(axis=0).tolist()
+        raise InputError(
+            f"the NNF points to source pixels (y, x) from {low} to {high}, but a style of "
+            f"{size(style.shape)} at scale {scale} has patches of width "
+            f"{patch_width} only from {[radius, radius]} to {limit.tolist()}"
+        )
+    if assigned.size and (assigned.max(axis=0) * 2 < limit).all():
+        warnings.warn(
+            f"the NNF uses less than half of the style's {size(style.shape)} at "
+            f"scale {scale}; is the style an enlargement, and the scale larger?",
+            stacklevel=2,
+        )
+    image = style if style.ndim == 3 else style[:, :, None]
+    means = np.zeros((nnf.shape[0] * scale, nnf.shape[1] * scale, image.shape[2]))
+    replay_vote(np.ascontiguousarray(image), means, np.ascontiguousarray(nnf), patch_width, scale)
+    if style.dtype != np.float32:
+        means = np.floor(means + 0.5)
+    return means.astype(style.dtype).reshape(*means.shape[:2], *style.shape[2:])
