@@ -29,10 +29,10 @@ __all__ = [
 __version__ = "0.1.0"
 
 _IMAGES = {
-    "read_image": "files.image_io",
-    "read_uint8": "files.image_io",
+    "read_image": "files.read_image",
+    "read_uint8": "files.read_image",
     "to_uint8": "files.bit_depth",
-    "write_image": "files.image_io",
+    "write_image": "files.write_image",
 }
 
 

@@ -13,21 +13,10 @@ from tqdm import tqdm
 from stylit_ref import __version__
 from stylit_ref.cli.example import write_example
 from stylit_ref.errors import InputError, one_line
-from stylit_ref.files.image_io import (
-    check_image_writable,
-    read_guides,
-    read_image,
-    read_uint8,
-    write_image,
-)
-from stylit_ref.files.output_file import (
-    check_distinct,
-    check_folder,
-    check_regular,
-    check_writable,
-    real_path,
-    whole_file,
-)
+from stylit_ref.files.nnf_file import check_nnf_writable, read_nnf, write_nnf
+from stylit_ref.files.output_file import check_distinct, check_folder
+from stylit_ref.files.read_image import read_guides, read_image, read_uint8
+from stylit_ref.files.write_image import check_image_writable, write_image
 from stylit_ref.machine.interruption import heed_interruptions
 from stylit_ref.machine.profiling import Profile
 from stylit_ref.stylization.backends import BACKENDS, cuda_report
@@ -339,7 +328,7 @@ def _run(options):
     transparent = mask is not None and fill is None and style.shape[2] % 2
     check_image_writable(options.output, style.shape[2] + bool(transparent))
     if options.nnf:
-        _check_npy(options.nnf)
+        check_nnf_writable(options.nnf)
     levels = Path(options.save_levels) if options.save_levels else None
     if levels:
         check_folder(levels)
@@ -387,21 +376,14 @@ def _run(options):
             image = white[:, :, None].astype(np.uint8) * 255
             write_image(levels / _GUIDE_MAP.format(level), image)
         if options.nnf:
-            _save_npy(options.nnf, result.nnf)
+            write_nnf(options.nnf, result.nnf)
     if options.profile:
         print(*profile.table(), sep="\n", file=sys.stderr)
 
 
 def _replay(options):
     style = read_image(options.style)
-    check_regular(real_path(options.nnf))
-    try:
-        # Mapped first: the file is as long as its header says, before memory is taken.
-        nnf = np.array(np.lib.format.open_memmap(options.nnf, mode="r"), order="C")
-    except OSError as error:
-        raise InputError(f"{options.nnf}: cannot be read: {error.strerror}") from None
-    except Exception as error:  # whatever the text of a header brings NumPy's parser to
-        raise InputError(f"{options.nnf}: is not a readable .npy file: {error}") from None
+    nnf = read_nnf(options.nnf)
     check_distinct([options.output], [options.style, options.nnf])
     check_image_writable(options.output, style.shape[2])
     image = replay(nnf, style, patch_width=options.patch_width, scale=options.scale)
@@ -420,14 +402,3 @@ def _level_files(folder, params):
 
 
 _BAR = "{percentage:3.0f}% |{bar}| {elapsed}<{remaining}  {desc}"
-
-
-def _check_npy(path):
-    if Path(path).suffix != ".npy":
-        raise InputError(f"{path}: the nearest-neighbour field is written as .npy")
-    check_writable(path)
-
-
-def _save_npy(path, array):
-    with whole_file(path, array.nbytes + 2**12) as partial:
-        np.save(partial, array)
