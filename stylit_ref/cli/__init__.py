@@ -1,8 +1,9 @@
 """``stylit-ref``: stylize images from the command line.
 
 A command is a file with ``add_parser(commands)`` and ``run(options)``, and an entry of
-:data:`COMMANDS`. Nothing below knows the command line, so it alone may call on the oracle, the
-bundled scenes and what there is for a GPU.
+:data:`COMMANDS`. Its parser's defaults are ``command``, which is ``run``, and ``parser``, which
+knows the flag of a parameter that is refused. Nothing below knows the command line, so it alone may
+call on the oracle, the bundled scenes and what there is for a GPU.
 """
 
 import sys
@@ -42,7 +43,7 @@ def main(arguments: list[str] | None = None) -> int:
         with warnings.catch_warnings():
             warnings.simplefilter("always", UserWarning)
             warnings.showwarning = _note
-            return options.run(options) or 0
+            return options.command(options) or 0
     except InputError as error:
         name = f"{options.parser.flag_of(error.parameter)} " if error.parameter else ""
         print(f"stylit-ref: {name}{error.sentence}", file=sys.stderr)

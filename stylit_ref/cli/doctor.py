@@ -9,7 +9,7 @@ def add_parser(commands):
         description="Say what of a GPU's software is installed, and what is missing.",
         allow_abbrev=False,
     )
-    parser.set_defaults(run=run, parser=parser)
+    parser.set_defaults(command=run, parser=parser)
 
 
 def run(_):

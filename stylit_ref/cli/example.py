@@ -18,7 +18,7 @@ def add_parser(commands):
         "styles, into a new folder, and print a command that stylizes one.",
         allow_abbrev=False,
     )
-    parser.set_defaults(run=run, parser=parser)
+    parser.set_defaults(command=run, parser=parser)
     parser.add_argument("folder", metavar="FOLDER", help="new folder for them")
 
 

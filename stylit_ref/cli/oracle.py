@@ -18,7 +18,7 @@ def add_parser(commands):
         "differ. Without one, this library's own passes are checked.",
         allow_abbrev=False,
     )
-    parser.set_defaults(run=run, parser=parser)
+    parser.set_defaults(command=run, parser=parser)
     parser.add_argument(
         "--port", metavar="COMMAND",
         help="runs the port on the case in folder {input}, its results go to folder {output}",

@@ -17,7 +17,7 @@ def add_parser(commands):
         "nearest-neighbour field saved by 'run --nnf', at the image's own bit depth.",
         allow_abbrev=False,
     )
-    parser.set_defaults(run=run, parser=parser)
+    parser.set_defaults(command=run, parser=parser)
     parser.add_argument("--nnf", required=True, metavar="FILE.npy", help="nearest-neighbour field")
     parser.add_argument("--style", required=True, metavar="IMAGE", help="style image")
     parser.add_argument("--output", required=True, metavar="IMAGE", help="image to write")

@@ -27,7 +27,7 @@ def add_parser(commands):
         "EXR and others; FILE.exr:LAYER names a layer of a multilayer EXR.",
         allow_abbrev=False,
     )
-    parser.set_defaults(run=run, parser=parser)
+    parser.set_defaults(command=run, parser=parser)
     images = parser.add_argument_group("images")
     add_input_options(images)
     add_output_options(images)
