@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from stylit_ref.errors import InputError
     from stylit_ref.files.bit_depth import to_uint8
-    from stylit_ref.files.image_io import read_image, read_uint8, write_image
+    from stylit_ref.files.read_image import read_image, read_uint8
+    from stylit_ref.files.write_image import write_image
     from stylit_ref.machine.profiling import Profile
     from stylit_ref.stylization.params import PRESETS, Params
     from stylit_ref.stylization.progress import Step
@@ -35,7 +36,8 @@ __version__ = "0.1.0"
 _HOMES = {
     "errors": ("InputError",),
     "files.bit_depth": ("to_uint8",),
-    "files.image_io": ("read_image", "read_uint8", "write_image"),
+    "files.read_image": ("read_image", "read_uint8"),
+    "files.write_image": ("write_image",),
     "machine.profiling": ("Profile",),
     "stylization.params": ("PRESETS", "Params"),
     "stylization.progress": ("Step",),

@@ -121,12 +121,3 @@ def _missing():
     except ImportError as error:  # of numba-cuda, where a part of it is not installed
         return f"the kernels cannot be loaded: {error}"
     return doctor.missing()
-
-
-def cuda_report() -> list[str]:
-    """Lines of text: what of a GPU's software there is."""
-    try:
-        from gpu_cuda.host import doctor
-    except ImportError as error:
-        return [f"GPU           none: the kernels cannot be loaded: {error}"]
-    return doctor.report()
