@@ -418,6 +418,7 @@ class TestRefusals:
             assert name in message or "float64" in message
 
 
+@pytest.mark.slow
 def test_replay_in_a_process_of_its_own(scene):
     """With nothing compiled before it, in the process or on disk."""
     folder, style, *_ = scene
@@ -430,6 +431,7 @@ def test_replay_in_a_process_of_its_own(scene):
     np.testing.assert_array_equal(read_image(folder / "out.png"), style[2:38, 2:44])
 
 
+@pytest.mark.slow
 def test_interruption_leaves_nothing(scene):
     """Ctrl-C in the middle of the work: code 130, one sentence, no output.
 

@@ -120,6 +120,7 @@ def test_equal_candidates_do_not_move():
     np.testing.assert_array_equal(new_nnf, level.nnf)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("candidates", [propagated, searched])
 def test_the_cases_exercise_every_saving(candidates):
     """How often each early exit would be taken, by the plain formula, over the cases."""
