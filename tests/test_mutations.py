@@ -58,7 +58,8 @@ MUTATIONS = {
         "stylit_ref/passes/commit.py",
         "if not occurrence_weight:",
         "if not occurrence_weight or n < order.shape[0] - 1:",
-        "tests/passes/test_commit.py::test_commit_takes_what_lowers_phi_class_by_class[{'uniformity': 100000}]",
+        "tests/passes/test_commit.py::test_commit_takes_what_lowers_phi_class_by_class"
+        "[{'uniformity': 100000}]",
     ),
     "patches on the first row do not vote": Mutation(
         "stylit_ref/passes/vote.py",

@@ -17,7 +17,7 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 from small_scene import small_scene
 
-import stylit_ref.stylization.stylize
+import stylit_ref.stylization.problem
 from data_gen.manifest import DataError, Manifest
 from eval.runs import read
 from stylit_ref import InputError, Params, read_image, replay, stylize, write_image
@@ -134,7 +134,7 @@ def door(monkeypatch):
     def opened(*_):
         raise PassedError
 
-    monkeypatch.setattr(stylit_ref.stylization.stylize, "texture_optimization", opened)
+    monkeypatch.setattr(stylit_ref.stylization.problem, "Exemplar", opened)
 
 
 SIDES = st.integers(0, 8)
