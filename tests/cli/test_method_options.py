@@ -83,8 +83,8 @@ def test_flags_that_do_not_go_together(scene, capsys, flags, message):
 @pytest.mark.parametrize(
     ("votes", "message"),
     [
-        ("a", "--search-vote-iters: is 'a'; it must be an integer or several with commas between"),
-        ("1,", "--search-vote-iters: is '1,'; it must be an integer or"),
+        ("a", "--search-vote-iters: is 'a'; it must be an integer, or several with commas between"),
+        ("1,", "--search-vote-iters: is '1,'; it must be an integer, or"),
         ("1,0", ": --search-vote-iters is 0;"),
     ],
 )
