@@ -6,12 +6,15 @@ from pathlib import Path
 
 import pytest
 
+from stylit_ref.machine.threads import sleep_while_waiting
+
 pytest_plugins = "hostile.count"
 
 
 def pytest_configure():
     """Ctrl-C is ignored in the background, and by all that is started from there."""
     signal.signal(signal.SIGINT, signal.default_int_handler)
+    sleep_while_waiting()
 
 
 @pytest.fixture(scope="session")

@@ -30,9 +30,11 @@ from stylit_ref.files.output_file import (
 )
 from stylit_ref.machine.interruption import heed_interruptions
 from stylit_ref.machine.profiling import Profile
+from stylit_ref.machine.threads import sleep_while_waiting
 from stylit_ref.stylization.backends import BACKENDS, cuda_report
-from stylit_ref.stylization.checks import check_guides, check_mask
-from stylit_ref.stylization.params import HEEDED_BY, PRESETS, Params
+from stylit_ref.stylization.checks import FewerLevelsWarning, check_guides, check_mask
+from stylit_ref.stylization.methods import heeded_by
+from stylit_ref.stylization.params import PRESETS, Params
 from stylit_ref.stylization.replaying import replay
 from stylit_ref.stylization.stylize import stylize
 
@@ -42,6 +44,7 @@ DEFAULTS = Params()
 def command():
     """Entry point of ``stylit-ref``."""
     heed_interruptions()
+    sleep_while_waiting()
     sys.exit(main())
 
 
@@ -58,8 +61,8 @@ def main(arguments=None):
             warnings.showwarning = _note
             return options.command(options) or 0
     except InputError as error:
-        name, space, rest = str(error).partition(" ")  # a parameter goes by its flag here
-        print(f"stylit-ref: {_FLAGS.get(name, name)}{space}{rest}", file=sys.stderr)
+        name = _FLAGS.get(error.parameter, error.parameter)  # it goes by its flag here
+        print("stylit-ref:", *filter(None, [name, error.sentence]), file=sys.stderr)
         return 2
     except MemoryError:
         print("stylit-ref: there is not enough memory for images of this size", file=sys.stderr)
@@ -99,8 +102,7 @@ _METHOD = {
     "method": (
         "--method",
         str,
-        "ref, as in the thesis; shared_memory, the same for a GPU; guide_map, its approximation; "
-        "or stylit, by an error budget",
+        "ref, as in the thesis; guide_map, its approximation; or stylit, by an error budget",
     ),
     "uniformity": ("--uniformity", float, "λ, how evenly the style is used"),
     "guide_influence": ("--guide-influence", float, "μ, weight of the guides"),
@@ -115,8 +117,7 @@ _METHOD = {
     "schedule": (
         "--schedule",
         str,
-        "propose_commit (parallel) or scanline (sequential); on a GPU also live or live_sums, "
-        "where Ω changes meanwhile, as in the thesis",
+        "propose_commit (parallel) or scanline (sequential)",
     ),
     "vote_outliers": ("--vote-outliers", int, "votes farthest from the mean that do not count"),
     "epsilon": (
@@ -216,7 +217,8 @@ def _parser():
     )
     run.add_argument(
         "--backend", choices=BACKENDS, default="cpu",
-        help="cpu; cuda for a GPU; auto for a GPU if there is one (default %(default)s)",
+        help="cpu; cuda for a GPU, cuda:shared_memory, cuda:live or cuda:live_sums for one of the "
+        "thesis' other ways; auto for a GPU if there is one (default %(default)s)",
     )  # fmt: skip
     run.add_argument("--threads", type=int, help="threads to use (default: all)")
     run.add_argument("--quiet", action="store_true", help="no progress bar")
@@ -310,9 +312,10 @@ def _run(options):
     }
     params = Params(**(PRESETS[options.preset] | chosen), guide_weights=weights)
     if "levels" not in chosen:  # who did not ask for levels need not hear that there are fewer
-        warnings.filterwarnings("ignore", message=r"\d+ pyramid levels in place of")
-    for name, methods in HEEDED_BY.items():
-        if name in chosen and params.method not in methods:
+        warnings.simplefilter("ignore", FewerLevelsWarning)
+    for name in chosen:
+        methods = heeded_by(name)
+        if methods and params.method not in methods:
             raise InputError(
                 f"{_METHOD[name][0]} is for --method {', '.join(methods)}; "
                 f"the method is {params.method}"

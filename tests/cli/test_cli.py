@@ -118,7 +118,7 @@ def test_the_methods_of_the_python_interface(scene, flags, values):
         (["--epsilon", 5], "--epsilon is for --method guide_map; the method is ref"),
         (
             ["--method", "stylit", "--uniformity", 5],
-            "--uniformity is for --method ref, shared_memory, guide_map; the method is stylit",
+            "--uniformity is for --method ref, guide_map; the method is stylit",
         ),
         (["--method", "guide_map", "--budget", 0.5], "--budget is for --method stylit"),
         (["--method", "magic"], "--method is 'magic'; it must be"),
@@ -129,7 +129,7 @@ def test_the_methods_of_the_python_interface(scene, flags, values):
         (["--save-levels", "/proc/levels"], "/proc/levels: cannot be made"),
         (["--save-levels", "x" * 300], "cannot be made: File name too long"),
         (["--method", "stylit", "--schedule", "scanline"], "--schedule is 'scanline'; it is for"),
-        (["--method", "shared_memory"], "is a GPU's; backend must be 'cuda'"),
+        (["--backend", "cuda:live", "--method", "stylit"], "has no kernels for a GPU"),
     ],
     ids=str,
 )
