@@ -130,15 +130,16 @@ def stylize(
             if on_level:
                 on_level(number, _shaped_like(style, synthesis.level.style))
     finest = synthesis.level
-    image = (
-        finest.style if mask is None else fill_masked(finest.style, as_array(mask, "mask"), fill)
-    )
-    error = download(finest.delta) / ONE
+    del synthesis  # the pyramids make room for the result
+    image = finest.style
+    if mask is not None:
+        image = fill_masked(image, as_array(mask, "mask"), fill)
+    synthesized = finest.target.synthesized
     return Result(
         image=_shaped_like(style, image),
         nnf=download(finest.nnf),
         omega=download(finest.omega),
-        error=np.where(finest.target.synthesized, error, np.nan).astype(np.float32),
+        error=np.where(synthesized, download(finest.delta) / ONE, np.nan).astype(np.float32),
         history=tuple(history),
         guide_maps=tuple(guide_maps),
     )
