@@ -13,10 +13,13 @@ ARGS ?=
 WORKERS ?= 2
 PYTHONS ?= 3.11 3.12 3.13 3.14
 
-.PHONY: eval schedules epsilon stylit spilling bench scenes test test-gpu ptx docs wheel lowest lint data help clean
+.PHONY: eval reports schedules epsilon stylit spilling bench scenes test test-gpu ptx docs wheel lowest lint data help clean
 
 eval: $(VENV)/$(if $(SCHEDULER),cluster,eval).installed ## tables and figures of the thesis: PRESET, SCHEDULER, ARGS="--scene DIR"
 	$(BIN)/python -m eval thesis --preset "$(PRESET)" $(if $(SCHEDULER),--scheduler "$(SCHEDULER)") $(ARGS)
+
+reports: $(VENV)/eval.installed ## the slim copies that are committed, of reports made before: ARGS=NAME of a new one
+	$(BIN)/python -m eval.published $(ARGS)
 
 schedules: $(VENV)/eval.installed ## propose_commit against scanline at every λ (slow)
 	$(BIN)/python -m eval schedules --scene "$(SCENE)" --data "$(DATA)" $(ARGS)

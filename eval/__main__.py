@@ -7,7 +7,7 @@ from pathlib import Path
 
 from eval.bench import bench
 from eval.epsilon_report import epsilon_report
-from eval.report import REPORTS
+from eval.report import BUILT
 from eval.scenes import BUNDLED, DEFAULT, load_scene
 from eval.scenes_report import scenes_report
 from eval.schedules_report import UNIFORMITIES, schedules_report
@@ -64,7 +64,9 @@ def main(arguments=None):
         "--numbers", action="store_true", help="no images, for scenes that are not yours to share"
     )
     parser.add_argument("--ebsynth", help="binary to measure beside, for the bench")
-    parser.add_argument("--output", type=Path, help="folder (default: reports/REPORT_SCENE_SIZE)")
+    parser.add_argument(
+        "--output", type=Path, help="folder (default: build/reports/REPORT_SCENE_SIZE)"
+    )
     options = parser.parse_args(arguments)
     warnings.showwarning = lambda message, *_: print(f"note: {message}", file=sys.stderr)
     try:
@@ -72,15 +74,15 @@ def main(arguments=None):
             return _thesis(options)
         folder, data, seeds = options.output, options.data or BUNDLED, options.seeds or [0]
         if options.report == "scenes":
-            folder = folder or REPORTS / f"scenes_{Path(data).resolve().name}"
+            folder = folder or BUILT / f"scenes_{Path(data).resolve().name}"
             scenes_report(data, folder, seeds[0])
         elif options.report == "spilling":
-            folder = folder or REPORTS / f"spilling_{Path(data).resolve().name}"
+            folder = folder or BUILT / f"spilling_{Path(data).resolve().name}"
             names = (options.scene or DEFAULT).split(",")
             spilling_report(names, data, folder, options.step, seeds[0])
         else:
             scene = load_scene(options.scene or DEFAULT, data, options.step)
-            folder = folder or REPORTS / f"{options.report}_{scene.name}_{scene.size}"
+            folder = folder or BUILT / f"{options.report}_{scene.name}_{scene.size}"
         if options.report in REPORTS_ON_A_SCENE:
             report = REPORTS_ON_A_SCENE[options.report]
             report(scene, folder, seeds[0], not options.numbers)
@@ -110,7 +112,7 @@ def _thesis(options):
     folder = evaluate(plan, options.output)
     if folder is None:
         return 1
-    print(f"Written: {folder / 'index.html'}")
+    print(f"Written: {folder / 'report.html'}")
     return 0
 
 

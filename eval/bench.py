@@ -21,8 +21,9 @@ import pandas as pd
 import skimage.transform
 from tqdm import tqdm
 
+from eval.circumstances import circumstances
 from eval.image_energy import image_energy
-from eval.report import table, write_report
+from eval.report import new_report, table
 from eval.runs import compile_kernels
 from eval.sharpness import richness
 from stylit_ref import PRESETS, InputError, Params, read_image, read_uint8, stylize, write_image
@@ -104,7 +105,6 @@ def bench(scene, folder, ebsynth=None):
     """
     if ebsynth and not shutil.which(ebsynth):
         raise InputError(f"{ebsynth}: is no program that can be started")
-    folder.mkdir(parents=True, exist_ok=True)
     ours = {"stylit-ref": _stylit_ref_command}
     both = dict(ours)
     if ebsynth:
@@ -144,24 +144,27 @@ def bench(scene, folder, ebsynth=None):
         compilation = _compilation(images, Path(workplace))
         sizes = _sizes(scene, Path(workplace), bar)
     frame = pd.DataFrame(rows)
-    frame.to_csv(folder / "bench.csv", index=False)
     shown = frame.copy()
     for column in shown.columns[2:]:
         precise = column in ("distinct in image", "richness")
         shown[column] = shown[column].map(("{:.3f}" if precise else "{:.1f}").format)
-    sections = [
-        table(shown),
-        "Preset fast and ebsynth's defaults: λ = 3500. "
-        "Process: the whole program, start to end, with kernels that an earlier process has "
-        "compiled. Synthesis: without start and files, in a run of its own (for ebsynth the whole "
-        "process). "
-        "Image energy: mean δ of the best matches that 30 PatchMatch iterations at λ = 0 find on "
-        "the finished image. Richness: high-frequency energy of the image over that of the style.",
-        "\n".join([*(_ratios(frame) if ebsynth else []), compilation, _thread_ratio(scene)]),
-        "Sizes: the thesis configuration on the scene enlarged or reduced.",
-        table(sizes),
-    ]
-    write_report(folder, f"Bench on {scene.name}, {scene.size}", sections)
+    lines = [*(_ratios(frame) if ebsynth else []), compilation, _thread_ratio(scene)]
+    with new_report(folder) as report:
+        sections = [
+            circumstances(),
+            report.table("bench", frame, shown),
+            "Preset fast and ebsynth's defaults: λ = 3500. "
+            "Process: the whole program, start to end, with kernels that an earlier process has "
+            "compiled. Synthesis: without start and files, in a run of its own (for ebsynth the "
+            "whole process). "
+            "Image energy: mean δ of the best matches that 30 PatchMatch iterations at λ = 0 find "
+            "on the finished image. Richness: high-frequency energy of the image over that of the "
+            "style.",
+            "\n".join(lines),
+            "Sizes: the thesis configuration on the scene enlarged or reduced.",
+            table(sizes),
+        ]
+        report.page(f"Bench on {scene.name}, {scene.size}", sections)
     return frame
 
 

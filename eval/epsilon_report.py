@@ -8,9 +8,10 @@ import pandas as pd
 from skimage.filters import gaussian
 from tqdm import tqdm
 
+from eval.circumstances import circumstances
 from eval.figures import comparison, detailed_window
 from eval.image_energy import image_energy
-from eval.report import table, write_report
+from eval.report import new_report
 from eval.runs import compile_kernels, run
 from eval.similarity import psnr, ssim
 from eval.spilling import spilling
@@ -51,7 +52,6 @@ def epsilon_report(scene, folder, seed=0, pictures=True):
     -------
     pandas.DataFrame
     """
-    folder.mkdir(parents=True, exist_ok=True)
     ref = Params()
     maps = [
         replace(ref, method="guide_map", epsilon=epsilon)
@@ -80,21 +80,16 @@ def epsilon_report(scene, folder, seed=0, pictures=True):
             }
         )
     frame = pd.DataFrame(rows)
-    frame.to_csv(folder / "epsilon.csv", index=False)
     costs = _costs(scene, seed)
-    costs.to_csv(folder / "costs.csv", index=False)
-    if pictures:
-        _save_pictures(scene, folder, results, seed)
     equal = all(
         np.array_equal(getattr(results["ε = 0"], name), getattr(results["ref"], name))
         for name in ("image", "nnf", "omega")
     )
-    write_report(
-        folder,
-        f"Guide maps on {scene.name}, {scene.size}",
-        [
-            *["![ref, StyLit, ε rising, and guide maps](epsilon.png)"] * pictures,
-            table(frame),
+    with new_report(folder) as report:
+        sections = [
+            circumstances(),
+            *([_figure(scene, results, seed, report)] if pictures else []),
+            report.table("epsilon", frame, frame),
             f"Thesis configuration, λ = 10000, seed {seed}. At ε = 0 image, NNF and Ω are "
             f"{'those of ref, byte for byte' if equal else 'NOT those of ref'}. Above 0, however "
             "little, patches whose guides do not vary at all are white.",
@@ -102,9 +97,9 @@ def epsilon_report(scene, folder, seed=0, pictures=True):
             "Time of the synthesis with and without guide maps, each with and without the exact "
             "lower bound of the SSD by moments; the least of three runs each, in turns, in one "
             "process:",
-            table(costs.round(2)),
-        ],
-    )
+            report.table("costs", costs, costs.round(2)),
+        ]
+        report.page(f"Guide maps on {scene.name}, {scene.size}", sections)
     return frame
 
 
@@ -145,7 +140,7 @@ def _synthesis(scene, params, module, seed):
     return time.perf_counter() - start, level.nnf
 
 
-def _save_pictures(scene, folder, results, seed):
+def _figure(scene, results, seed, report):
     """Thesis 5.2 to 5.8: style, guide, StyLit, ref, ε rising; then guide maps.
 
     The zoom shows where the thesis' largest ε differs most from ref, strokes blurred away.
@@ -164,8 +159,11 @@ def _save_pictures(scene, folder, results, seed):
     ]
     difference = rising[EPSILONS[-1]].image.astype(float) - results["ref"].image
     strokes_away = gaussian(difference, 4, channel_axis=2)
-    comparison(
-        folder / "epsilon.png",
+    return report.figure(
+        "epsilon",
+        "ref, StyLit, ε rising, and guide maps",
+        comparison,
         [[*first, images[0]], images[1:6], [*images[6:], *maps[:2]], maps[2:]],
         detailed_window((strokes_away**2).sum(axis=2)),
+        committed=True,
     )

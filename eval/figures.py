@@ -6,14 +6,14 @@ from matplotlib.patches import Rectangle
 from skimage.color import lab2rgb
 
 
-def contact_sheet(file, rows, tile=300):
+def contact_sheet(rows, file, tile=300):
     """Save rows of titled images.
 
     Parameters
     ----------
-    file : Path
     rows : list of list of (str, (H, W, n) array)
         Titles and images.
+    file : Path
     tile : int
         Width of an image in pixels.
     """
@@ -32,16 +32,16 @@ def contact_sheet(file, rows, tile=300):
     figure.savefig(file)
 
 
-def comparison(file, rows, zoom):
+def comparison(rows, zoom, file):
     """Save rows of images, each row followed by its zoom-ins.
 
     Parameters
     ----------
-    file : Path
     rows : list of list of (str, (H, W, n) array)
         Titles and images.
     zoom : tuple of 4 float
         Top, left, height and width of the zoom-in, as shares of the image.
+    file : Path
     """
     columns = max(len(row) for row in rows)
     height, width = rows[0][-1][1].shape[:2]

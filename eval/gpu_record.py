@@ -1,7 +1,7 @@
 """What the kernels do on this machine's GPU: ``python -m eval.gpu_record SCENE...``.
 
 A scene is named as elsewhere, or it is a file written by ``--pack``, for machines without
-OpenImageIO. The record goes to ``reports/gpu/<device>.json``.
+OpenImageIO. The record goes to ``build/reports/gpu/<device>.json``.
 """
 
 import argparse
@@ -19,6 +19,8 @@ from tqdm import tqdm
 
 import gpu_cuda
 from eval.circumstances import circumstances
+from eval.gpu_records import record_files
+from eval.report import BUILT, write_record
 from eval.synthesis import synthesis
 from gpu_cuda.host import doctor
 from gpu_cuda.host.device import kernel_times
@@ -189,15 +191,17 @@ def main(arguments=None, settings=SETTINGS):
         print(f"skipped: {missing}")
         return 0
     device = re.sub(r"\W+", "_", doctor.device_name()).strip("_")
-    file = Path("reports/gpu") / f"{device}.json"
-    file.parent.mkdir(parents=True, exist_ok=True)
+    folder = BUILT / "gpu"
+    folder.mkdir(parents=True, exist_ok=True)
     result = {"circumstances": circumstances(), "device": doctor.report(), "scenes": []}
     for name, *images in scenes:
         result["scenes"].append({})
         for found in record(*images, settings):
             result["scenes"][-1] = {"scene": name} | found
             text = json.dumps(result, indent=1, ensure_ascii=False)
-            write_text(file, text + "\n")
+            write_text(folder / f"{device}.json", text + "\n")
+    files = [file.name for file in record_files(folder)]
+    write_record(folder, files, files)
     print(text)
     same = [same for scene in result["scenes"] for same in scene["identical to the CPU"].values()]
     return 0 if all(same) else 1

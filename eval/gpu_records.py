@@ -1,8 +1,8 @@
-"""What GPUs did, from the records in ``reports/gpu``."""
+"""What GPUs did, from the records in ``reports/gpu`` and, before them, ``build/reports/gpu``."""
 
 import json
 
-from eval.report import REPORTS
+from eval.report import BUILT, COMMITTED, RECORD
 
 
 def gpu_records(scene, size):
@@ -21,8 +21,13 @@ def gpu_records(scene, size):
         By device; as :func:`eval.gpu_record.record` makes them.
     """
     found = {}
-    for file in sorted((REPORTS / "gpu").glob("*.json")):
+    for file in record_files(COMMITTED / "gpu") + record_files(BUILT / "gpu"):
         for record in json.loads(file.read_text(encoding="utf-8"))["scenes"]:
             if record["scene"] == scene and record["size"] == size:
                 found[file.stem] = record
     return found
+
+
+def record_files(folder):
+    """The records in a folder, one of each device."""
+    return sorted(file for file in folder.glob("*.json") if file.name != RECORD)

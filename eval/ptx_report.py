@@ -13,10 +13,11 @@ import pandas as pd
 from cuda.pathfinder import find_nvidia_binary_utility
 from tqdm import tqdm
 
-from eval.report import REPORTS, table, write_report
+from eval.circumstances import circumstances
+from eval.report import BUILT, new_report
 from gpu_cuda.host.ptx import BLOCKS, CAPABILITIES, compile_to_ptx, kernels
 
-FOLDER = REPORTS / "ptx"
+FOLDER = BUILT / "ptx"
 
 
 def assembled(ptx, capability, block):
@@ -67,25 +68,22 @@ def main():
             if spills and block == BLOCKS[0]:
                 spilled.append(f"{name} on {target}")
         rows.append(row)
-    FOLDER.mkdir(parents=True, exist_ok=True)
     frame = pd.DataFrame(rows)
-    frame.to_csv(FOLDER / "ptx.csv", index=False)
     versions = ", ".join(
         f"{package} {version(package)}" for package in ("numba-cuda", "nvidia-cuda-nvcc")
     )
-    write_report(
-        FOLDER,
-        "Kernels as PTX",
-        [
+    with new_report(FOLDER) as report:
+        sections = [
+            circumstances(),
             f"Compiled without a GPU; {versions}. Patches of width 5, 32 packed channels, 3 of "
             "style.",
-            table(frame),
+            report.table("ptx", frame, frame),
             "A multiprocessor has 65536 registers, so the 1024 threads of the thesis' blocks of "
             "32x32 get 64 each, and kernels that want more spill; blocks of 32x8, the default, "
             "leave 255. On a device Numba optimizes once more when it links, and may need fewer "
             "registers than these.",
-        ],
-    )
+        ]
+        report.page("Kernels as PTX", sections)
     for what in spilled:
         print(f"spills: {what}", file=sys.stderr)
     return int(bool(spilled))

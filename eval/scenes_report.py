@@ -1,5 +1,7 @@
 """What a data set holds, to be looked at: all passes, all styles, every target in every style."""
 
+from functools import partial
+
 import numpy as np
 import pandas as pd
 from tqdm import tqdm
@@ -8,9 +10,10 @@ from data_gen.guides import to_uint8
 from data_gen.manifest import DataError, Manifest
 from data_gen.models import TARGETS
 from data_gen.multilayer_exr import read_layers
+from eval.circumstances import circumstances
 from eval.figures import contact_sheet
 from eval.measures import DEFINITIONS, formatted, measure
-from eval.report import table, write_report
+from eval.report import new_report
 from eval.runs import run
 from eval.scenes import load_scene
 from stylit_ref import InputError, Params, read_uint8
@@ -39,58 +42,63 @@ def scenes_report(data, folder, seed=0):
         manifest = Manifest.read(data)
         targets = [target for target in TARGETS if target in manifest.targets]
         house = ["house/source"] if "house/source" in manifest.targets else []
-        folder.mkdir(parents=True, exist_ok=True)
-        _passes(manifest, ["source", *targets, *house], folder / "passes.png")
-        contact_sheet(folder / "styles.png", [_styles(manifest)], tile=600)
-        if house:
-            _house(manifest, folder / "house.png")
+        passes = _passes(manifest, ["source", *targets, *house])
+        styles = _styles(manifest)
+        house_sheet = _house(manifest) if house else None
     except DataError as error:
         raise InputError(str(error)) from None
-    rows = _stylize(manifest, targets, seed, folder / "stylized.png")
-    if house:
-        rows += _stylize(manifest, house, seed, folder / "stylized_house.png")
-    frame = pd.DataFrame(rows)
-    frame.to_csv(folder / "scenes.csv", index=False)
+    rows, stylized = _stylize(manifest, targets, seed)
+    rows_of_house, stylized_house = _stylize(manifest, house, seed)
+    frame = pd.DataFrame(rows + rows_of_house)
     made = manifest.recipe
     versions = ", ".join(f"{name} {number}" for name, number in made["versions"].items())
-    write_report(
-        folder,
-        f"Scenes and styles, {made['size']}",
-        [
+    with new_report(folder) as report:
+        sections = [
+            circumstances(),
             f"Rendered with {made['samples']} samples a pixel, seed {made['seed']}; {versions}.",
-            *[f"![{sheet}]({sheet}.png)" for sheet in ("passes", "styles", "stylized")],
-            *[_HOUSE] * bool(house),
-            table(formatted(frame)),
-            DEFINITIONS,
-        ],
-    )
+            report.figure("passes", "passes", _sheet(240), passes),
+            report.figure("styles", "styles", _sheet(600), [styles]),
+            report.figure("stylized", "stylized", _sheet(240), stylized, committed=True),
+        ]
+        if house:
+            in_styles = "house in the sphere's styles"
+            sections += [
+                report.figure("house", "house", _sheet(300), house_sheet, committed=True),
+                _HOUSE,
+                report.figure(
+                    "stylized_house", in_styles, _sheet(240), stylized_house, committed=True
+                ),
+            ]
+        sections += [report.table("scenes", frame, formatted(frame)), DEFINITIONS]
+        report.page(f"Scenes and styles, {made['size']}", sections)
     return frame
 
 
 _HOUSE = """\
-![house](house.png)
-
 The house shares neither colours nor light with the red object on the white stage, so in the
 sphere's styles its patches find no counterpart: a style for it has to be painted over its own
-source view.
+source view."""
 
-![house in the sphere's styles](stylized_house.png)"""
+
+def _sheet(tile):
+    """A contact sheet with images of this width."""
+    return partial(contact_sheet, tile=tile)
 
 
 def _styles(manifest):
     return [(s, read_uint8(manifest.path(f"source/styles/{s}.png"))) for s in manifest.styles]
 
 
-def _passes(manifest, places, file):
+def _passes(manifest, places):
     rows = []
     for place in places:
         images = [read_uint8(manifest.path(f"{place}/{name}.png")) for name in SHOWN]
         titles = [f"{place} {name}" for name in SHOWN]
         rows.append(list(zip(titles, images, strict=True)))
-    contact_sheet(file, rows, tile=240)
+    return rows
 
 
-def _house(manifest, file):
+def _house(manifest):
     """The grid, some passes of the source view, and the middle view's motion fields."""
     rows = [
         [
@@ -109,10 +117,10 @@ def _house(manifest, file):
         motion = np.concatenate([layers["MOTION"], np.zeros_like(layers["VISIBLE"])], axis=2)
         shown = (0.5 + 0.5 * motion / np.abs(motion).max()) * layers["VISIBLE"]
         row.append((f"motion {name}", to_uint8(shown)))
-    contact_sheet(file, rows)
+    return rows
 
 
-def _stylize(manifest, targets, seed, file):
+def _stylize(manifest, targets, seed):
     """Every target in every style: a row of numbers each, and a sheet of the images."""
     renders = [(t, read_uint8(manifest.path(f"{t}/FULL.png"))) for t in ["source", *targets]]
     rows, sheet = [], [renders]
@@ -125,5 +133,4 @@ def _stylize(manifest, targets, seed, file):
                 rows.append({"scene": scene.name, **measure(scene, Params(), seed)})
                 sheet[-1].append(("", run(scene, Params(), seed).image))
                 bar.update()
-    contact_sheet(file, sheet, tile=240)
-    return rows
+    return rows, sheet

@@ -6,9 +6,10 @@ import numpy as np
 import pandas as pd
 from tqdm import tqdm
 
+from eval.circumstances import circumstances
 from eval.figures import comparison, detailed_window
 from eval.measures import DEFINITIONS, formatted, measure
-from eval.report import table, write_report
+from eval.report import new_report, table
 from eval.runs import run
 from eval.sharpness import detail
 from stylit_ref import Params
@@ -37,7 +38,6 @@ def schedules_report(scene, folder, seeds=(0,), uniformities=UNIFORMITIES, pictu
     pandas.DataFrame
         A row for each λ and schedule.
     """
-    folder.mkdir(parents=True, exist_ok=True)
     rows, images = [], {schedule: [] for schedule in SCHEDULES}
     tasks = [(uniformity, schedule) for uniformity in uniformities for schedule in SCHEDULES]
     for uniformity, schedule in tqdm(tasks, unit="setting", disable=None):
@@ -47,28 +47,26 @@ def schedules_report(scene, folder, seeds=(0,), uniformities=UNIFORMITIES, pictu
         image = run(scene, params, seeds[0]).image
         images[schedule].append((f"{schedule}, λ = {uniformity:g}", image))
     frame = pd.DataFrame(rows)
-    frame.to_csv(folder / "schedules.csv", index=False)
-    if pictures:
-        comparison(
-            folder / "schedules.png",
-            list(images.values()),
-            detailed_window(detail(scene.shown_guide)),
-        )
     seed_text = ", ".join(map(str, seeds))
-    write_report(
-        folder,
-        f"Schedules on {scene.name}, {scene.size}",
-        [
-            *["![scanline above, propose_commit below](schedules.png)"] * pictures,
-            table(formatted(frame.drop(columns="seconds"))),
+    with new_report(folder) as report:
+        sections = [
+            circumstances(),
+            *([_figure(scene, list(images.values()), report)] if pictures else []),
+            report.table("schedules", frame, formatted(frame.drop(columns="seconds"))),
             "propose_commit over scanline; it counts as right where φ and δ are at most "
             f"{MOST_ABOVE} and usage and sharpness not below 1:",
             table(schedule_ratios(frame)),
             f"Thesis configuration, means over seeds {seed_text}.",
             DEFINITIONS,
-        ],
-    )
+        ]
+        report.page(f"Schedules on {scene.name}, {scene.size}", sections)
     return frame
+
+
+def _figure(scene, rows, report):
+    caption = "scanline above, propose_commit below"
+    zoom = detailed_window(detail(scene.shown_guide))
+    return report.figure("schedules", caption, comparison, rows, zoom, committed=True)
 
 
 def schedule_ratios(frame):

@@ -6,8 +6,9 @@ import numpy as np
 import pandas as pd
 from tqdm import tqdm
 
+from eval.circumstances import circumstances
 from eval.figures import comparison, detailed_window
-from eval.report import table, write_report
+from eval.report import new_report
 from eval.runs import run
 from eval.scenes import load_scene
 from eval.spilling import spilling
@@ -64,21 +65,19 @@ def spilling_report(names, data, folder, step=1, seed=0):
                 ("with the ID guide", np.uint8(255) * spilled[1][:, :, None]),
             ]
         )
-    folder.mkdir(parents=True, exist_ok=True)
     frame = pd.DataFrame(rows)
-    frame.to_csv(folder / "spilling.csv", index=False)
-    comparison(folder / "spilling.png", pictures, detailed_window(np.mean(where, axis=0)))
-    write_report(
-        folder,
-        f"Spilling and the ID guide, {plain.size}",
-        [
-            "![without and with the ID guide](spilling.png)",
-            table(frame),
+    zoom = detailed_window(np.mean(where, axis=0))
+    caption = "without and with the ID guide"
+    with new_report(folder) as report:
+        sections = [
+            circumstances(),
+            report.figure("spilling", caption, comparison, pictures, zoom, committed=True),
+            report.table("spilling", frame, frame),
             "Spilled: target patches whose source patch is centred on another of the three things "
             "(object, floor, wall) than they are. Light alone cannot tell the floor in shadow from "
             "the wall; three colours can (thesis 5.2.4). Thesis configuration, ref at λ = 10000, "
             f"seed {seed}; all guide channels weigh alike, so that the light passes weigh less "
             "where there is an ID guide.",
-        ],
-    )
+        ]
+        report.page(f"Spilling and the ID guide, {plain.size}", sections)
     return frame

@@ -3,9 +3,10 @@
 import pandas as pd
 from tqdm import tqdm
 
+from eval.circumstances import circumstances
 from eval.figures import comparison, detailed_window
 from eval.measures import DEFINITIONS, formatted, measure
-from eval.report import table, write_report
+from eval.report import new_report, table
 from eval.runs import run
 from eval.sharpness import detail
 from stylit_ref import Params
@@ -36,23 +37,15 @@ def stylit_report(scene, folder, seed=0, pictures=True):
     -------
     pandas.DataFrame
     """
-    folder.mkdir(parents=True, exist_ok=True)
     rows = []
     for name, params in tqdm(SETTINGS.items(), unit="run", disable=None):
         rows.append({"method": name, **measure(scene, params, seed)})
     frame = pd.DataFrame(rows)
-    frame.to_csv(folder / "stylit.csv", index=False)
-    if pictures:
-        guide = scene.shown_guide
-        images = [(name, run(scene, params, seed).image) for name, params in SETTINGS.items()]
-        shown = [[("style", scene.style), ("target guide", guide), *images[:3]], images[3:]]
-        comparison(folder / "stylit.png", shown, detailed_window(detail(guide)))
-    write_report(
-        folder,
-        f"StyLit on {scene.name}, {scene.size}",
-        [
-            *["![StyLit, ref, and options of StyLit](stylit.png)"] * pictures,
-            table(formatted(frame.drop(columns=["penalization", "phi"]))),
+    with new_report(folder) as report:
+        sections = [
+            circumstances(),
+            *([_figure(scene, seed, report)] if pictures else []),
+            report.table("stylit", frame, formatted(frame.drop(columns=["penalization", "phi"]))),
             "Thesis configuration: 6 levels, 6 votes, 6 PatchMatch iterations a search; seed "
             f"{seed}. Image energy and usage are measured alike for all; δ of StyLit holds what "
             "its budget accepted.",
@@ -60,9 +53,18 @@ def stylit_report(scene, folder, seed=0, pictures=True):
             "share of the target they fixed; the rest is from target to source:",
             table(_retrievals(run(scene, SETTINGS["StyLit"], seed).history)),
             DEFINITIONS,
-        ],
-    )
+        ]
+        report.page(f"StyLit on {scene.name}, {scene.size}", sections)
     return frame
+
+
+def _figure(scene, seed, report):
+    guide = scene.shown_guide
+    images = [(name, run(scene, params, seed).image) for name, params in SETTINGS.items()]
+    shown = [[("style", scene.style), ("target guide", guide), *images[:3]], images[3:]]
+    caption = "StyLit, ref, and options of StyLit"
+    zoom = detailed_window(detail(guide))
+    return report.figure("stylit", caption, comparison, shown, zoom, committed=True)
 
 
 def _retrievals(history):

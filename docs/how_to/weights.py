@@ -36,4 +36,4 @@ rows = [
         *(shown(f"LSE: --weight {value}", guide_weights=weighed(value)) for value in HIGHLIGHTS),
     ],
 ]
-contact_sheet(Path(__file__).with_suffix(".webp"), rows)
+contact_sheet(rows, Path(__file__).with_suffix(".webp"))

@@ -2,7 +2,7 @@
 
 import sys
 
-from eval.report import REPORTS
+from eval.report import BUILT
 from eval.scheduling import complete
 from eval.thesis.page import write_page
 
@@ -14,14 +14,14 @@ def evaluate(plan, folder=None):
     ----------
     plan : Plan
     folder : Path, optional
-        ``reports/<name of the plan>`` by default.
+        ``build/reports/<name of the plan>`` by default.
 
     Returns
     -------
     Path or None
         Folder of the report; None if a run failed, which is said on stderr.
     """
-    folder = folder or REPORTS / plan.name
+    folder = folder or BUILT / plan.name
     failures = complete(plan.jobs, plan.scheduler)
     for title, reason in failures.items():
         print(f"eval: failed: {title}: {reason}", file=sys.stderr)

@@ -25,9 +25,8 @@ def lambda_figure(plan, target, file):
         (f"({'defghi'[k]}) λ = {uniformity}", stored(plan.ref(target, uniformity)).image)
         for k, uniformity in enumerate(UNIFORMITIES)
     ]
-    comparison(
-        file, [[*first, *rising[:2]], rising[2:]], detailed_window(detail(scene.shown_guide))
-    )
+    rows = [[*first, *rising[:2]], rising[2:]]
+    comparison(rows, detailed_window(detail(scene.shown_guide)), file)
 
 
 def epsilon_figure(plan, target, file):
@@ -49,7 +48,7 @@ def epsilon_figure(plan, target, file):
         for epsilon in MAPS_SHOWN
     ]
     rows = [[*first, rising[0]], rising[1:6], [*rising[6:], *maps]]
-    comparison(file, rows, detailed_window(detail(scene.shown_guide)))
+    comparison(rows, detailed_window(detail(scene.shown_guide)), file)
 
 
 def background_figure(plan, file):
@@ -67,14 +66,14 @@ def background_figure(plan, file):
         ("(h) StyLit", stored(plan.stylit(target)).image),
         ("(i) ref, λ = 10000", stored(plan.ref(target)).image),
     ]
-    comparison(file, [row, second], detailed_window(detail(scene.shown_guide)))
+    comparison([row, second], detailed_window(detail(scene.shown_guide)), file)
 
 
 def pyramid_figure(plan, file):
     """Figure 2.3: B' as it leaves each level."""
     levels = stored(plan.ref(plan.background)).levels
     sizes = ["{1}x{0}".format(*image.shape) for image in levels]
-    contact_sheet(file, [[(size, image) for size, image in zip(sizes, levels, strict=True)]])
+    contact_sheet([list(zip(sizes, levels, strict=True))], file)
 
 
 def energy_figure(plan, file):

@@ -97,9 +97,10 @@ def data(tmp_path, monkeypatch):
 
 def test_scenes_report(data, tmp_path):
     assert main(["scenes", "--data", str(data)]) == 0
-    report = tmp_path / "reports" / "scenes_small"
+    report = tmp_path / "build" / "reports" / "scenes_small"
     assert {file.name for file in report.iterdir()} == {
-        "passes.png", "styles.png", "stylized.png", "scenes.csv", "report.md", "report.html",
+        "passes.webp", "styles.webp", "stylized.webp", "scenes.csv", "report.md", "report.html",
+        "report.json",
     }  # fmt: skip
     assert len(pd.read_csv(report / "scenes.csv")) == 4
 
@@ -108,7 +109,7 @@ def test_epsilon_report(folder, monkeypatch):
     monkeypatch.setattr("eval.epsilon_report.EPSILONS", (100, 10000))
     monkeypatch.setattr("eval.epsilon_report.MAPS_SHOWN", (100,))
     assert main(["epsilon", "--scene", str(folder)]) == 0
-    report = folder.parent / "reports" / "epsilon_small_44x38"
+    report = folder.parent / "build" / "reports" / "epsilon_small_44x38"
     numbers = pd.read_csv(report / "epsilon.csv").set_index("method")
     assert list(numbers.index) == [
         "ref", "ref, another seed", "ε = 0", "ε = 0.001", "ε = 100", "ε = 10000", "ε = 50000",
@@ -120,27 +121,27 @@ def test_epsilon_report(folder, monkeypatch):
     assert costs["method"].tolist()[0] == "ref"
     assert (costs[["with the bound", "without"]] > 0).all(axis=None)
     assert "byte for byte" in (report / "report.md").read_text(encoding="utf-8")
-    assert (report / "epsilon.png").exists()
+    assert (report / "epsilon.webp").exists()
 
 
 def test_stylit_report(folder):
     assert main(["stylit", "--scene", str(folder), "--numbers"]) == 0
-    report = folder.parent / "reports" / "stylit_small_44x38"
+    report = folder.parent / "build" / "reports" / "stylit_small_44x38"
     numbers = pd.read_csv(report / "stylit.csv").set_index("method")
     assert numbers.loc["StyLit", "distinct"] > numbers.loc["ref, λ = 0", "distinct"]
     page = (report / "report.md").read_text(encoding="utf-8")
     assert re.search(r"\| 3 +\|( \d+ \(\d+\.\d%\) +\|){6}", page)
-    assert not (report / "stylit.png").exists()
+    assert not (report / "stylit.webp").exists()
 
 
 def test_spilling_report(data, tmp_path):
     assert main(["spilling", "--data", str(data), "--scene", "teapot/oil,teapot/pen"]) == 0
-    report = tmp_path / "reports" / "spilling_small"
+    report = tmp_path / "build" / "reports" / "spilling_small"
     numbers = pd.read_csv(report / "spilling.csv")
     spilled = numbers.drop(columns="scene").map(lambda text: float(text[:-1]))
     assert (spilled["ref with the ID guide"] < spilled["ref"]).all()
     assert spilled.shape == (2, 4)
-    assert (report / "spilling.png").exists()
+    assert (report / "spilling.webp").exists()
 
 
 def test_a_run_is_computed_once(folder, monkeypatch):
@@ -164,11 +165,11 @@ def test_a_run_is_computed_once(folder, monkeypatch):
 def test_schedules_report(folder):
     arguments = ["--uniformities", "0", "50000", "--seeds", "0", "1"]
     assert main(["schedules", "--scene", str(folder), *arguments]) == 0
-    report = folder.parent / "reports" / "schedules_small_44x38"
+    report = folder.parent / "build" / "reports" / "schedules_small_44x38"
     numbers = pd.read_csv(report / "schedules.csv")
     assert list(numbers["λ"]) == [0, 0, 50000, 50000]
     assert list(numbers["schedule"]) == ["scanline", "propose_commit"] * 2
-    assert (report / "schedules.png").exists()
+    assert (report / "schedules.webp").exists()
 
 
 def test_ratios_judge_each_bar():
@@ -205,7 +206,7 @@ def test_bench_measures_both_programs_alike(folder, capsys, monkeypatch):
     assert re.search(r"-guide \S+source_fullgi.png \S+target_fullgi.png -weight 1.5 ", arguments)
     assert re.search(r"source_id.png \S+target_id.png -weight 0.5 -uniformity 10000", arguments)
     assert "-pyramidlevels 1 -searchvoteiters 1 -patchmatchiters 6" in arguments
-    numbers = pd.read_csv(folder.parent / "reports" / "bench_small_44x38" / "bench.csv")
+    numbers = pd.read_csv(folder.parent / "build" / "reports" / "bench_small_44x38" / "bench.csv")
     assert list(numbers["program"]) == ["stylit-ref"] + ["stylit-ref", "ebsynth"] * 2
     printed = capsys.readouterr().out
     assert "one thread takes" in printed

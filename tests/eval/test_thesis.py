@@ -56,12 +56,12 @@ def test_every_table_and_figure_is_there(folder):
     expected = {name.format(target) for name in per_target for target in published.TARGETS}
     expected |= {"trends.webp", "energy.webp", "background.webp", "pyramid.webp"}
     expected |= {"claims.csv", "errata.csv", "shared_memory.csv", "shared_memory_ptx.csv"}
-    assert written == expected | {"report.md", "index.html", "inputs.json"}
+    assert written == expected | {"report.md", "report.html", "report.json"}
     text = (folder / "report" / "report.md").read_text(encoding="utf-8")
     assert expected == set(re.findall(r"\(([a-z_]+\.(?:webp|csv))\)", text))
     for number in (*range(41, 48), *range(52, 59)):
         assert f"({number / 10})" in text
-    page = (folder / "report" / "index.html").read_text(encoding="utf-8")
+    page = (folder / "report" / "report.html").read_text(encoding="utf-8")
     assert page.count("data:image/webp;base64,") == text.count("![")
     assert 'src="' not in page.replace('src="data:', "")
 
@@ -87,10 +87,10 @@ def test_a_second_time_nothing_is_computed(folder, monkeypatch, capsys):
     monkeypatch.chdir(folder)
     monkeypatch.setattr(eval.scheduling, "compute", None)
     monkeypatch.setattr(eval.scheduling, "quality", None)
-    before = (folder / "report" / "index.html").stat().st_mtime_ns
+    before = (folder / "report" / "report.html").stat().st_mtime_ns
     assert main(TINY) == 0
     assert "is up to date" in capsys.readouterr().err
-    assert (folder / "report" / "index.html").stat().st_mtime_ns == before
+    assert (folder / "report" / "report.html").stat().st_mtime_ns == before
 
 
 def test_a_result_that_was_lost_or_damaged_is_computed_again_alone(folder, monkeypatch):
@@ -134,7 +134,7 @@ def test_a_users_own_scene_has_no_published_numbers(folder, monkeypatch, small_f
     own, style = small_files
     arguments = ["thesis", "--scene", str(own), "--style", str(style), "--seeds", "3"]
     assert main(arguments) == 0
-    report = folder / "reports" / "small_other"
+    report = folder / "build" / "reports" / "small_other"
     table = pd.read_csv(report / "lambda_times_small_other.csv")
     assert list(table.columns) == ["method", "ours [s]", "ours StyLit/time"]
 
@@ -170,7 +170,7 @@ def test_the_times_of_a_gpu_stand_beside_ours(folder, monkeypatch, tmp_path):
     }
     (tmp_path / "gpu").mkdir()
     (tmp_path / "gpu" / "GTX_660.json").write_text(json.dumps({"scenes": [record]}))
-    monkeypatch.setattr("eval.gpu_records.REPORTS", tmp_path)
+    monkeypatch.setattr("eval.gpu_records.COMMITTED", tmp_path)
     assert main([*TINY[:-1], "with_gpu", "--targets", "hand"]) == 0
     table = pd.read_csv(folder / "with_gpu" / "lambda_times_hand.csv").set_index("method")
     assert table.loc["λ = 5000", "GTX_660 [s]"] == 0.2

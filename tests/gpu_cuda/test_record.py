@@ -27,7 +27,7 @@ def test_a_record_compares_and_times(tmp_path, monkeypatch):
     monkeypatch.setattr(gpu_record, "RUNS", 1)
     monkeypatch.chdir(tmp_path)
     assert gpu_record.main(["scene.npz"], settings) == 0
-    (written,) = (tmp_path / "reports" / "gpu").iterdir()
+    (written,) = gpu_record.record_files(tmp_path / "build" / "reports" / "gpu")
     (found,) = json.loads(written.read_text(encoding="utf-8"))["scenes"]
     assert found["scene"] == "small/scene"
     assert found["identical to the CPU"] == {"canonical": True}

@@ -278,17 +278,17 @@ def test_eval_goes_on_after_anything(small_disk):
     with started(*THESIS, folder=disk) as process:
         EVAL_AGAIN.check(*done(process), disk)
     assert all(file.read_bytes() == content for file, content in before.items())
-    record = json.loads((disk / "report" / "inputs.json").read_text())
+    record = json.loads((disk / "report" / "report.json").read_text())
     written = contents(disk / "report")
-    assert written.keys() == {*record["files"], "inputs.json"}
+    assert written.keys() == {*record["files"], "report.json"}
 
-    (disk / "report" / "inputs.json").unlink()
+    (disk / "report" / "report.json").unlink()
     left_by_sigkill = disk / "report" / ".partial_1"
     left_by_sigkill.mkdir()
     enlarge(shutil.disk_usage(disk).used + 2**14)
     with started(*THESIS, folder=disk) as process:
         REPORT_FULL.check(*done(process), disk)
-    del written["inputs.json"]
+    del written["report.json"]
     assert contents(disk / "report") == written
     enlarge()
 
@@ -299,7 +299,7 @@ def test_eval_goes_on_after_anything(small_disk):
         FOREIGN_RUN.check(*done(process), disk)
     assert read(taken).key == ours.key
     np.testing.assert_array_equal(read(taken).nnf, ours.nnf)
-    assert contents(disk / "report").keys() == {*written, "inputs.json"}
+    assert contents(disk / "report").keys() == {*written, "report.json"}
 
 
 def test_results_of_another_run_are_not_taken(tmp_path, monkeypatch):
