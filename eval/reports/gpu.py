@@ -1,0 +1,209 @@
+"""What the CUDA kernels do on this machine's GPU: equal bytes, times.
+
+A scene is named as elsewhere, or it is a file written by ``--pack``, for machines without
+OpenImageIO.
+"""
+
+import json
+import re
+import statistics
+import time
+from dataclasses import replace
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+from tqdm import tqdm
+
+import gpu_cuda
+from eval.pages import options as shared
+from eval.pages.gpu_records import record_files
+from eval.pages.page import write_record
+from eval.provenance import provenance
+from eval.synthesis import synthesis
+from gpu_cuda.host import doctor
+from gpu_cuda.host.device import kernel_times
+from gpu_cuda.metric import launch_search
+from gpu_cuda.propagation import make_kernel as make_propagation_kernel
+from gpu_cuda.random_search import make_kernel as make_random_search_kernel
+from gpu_cuda.variants import launched_commit, shared_memory
+from stylit_ref import Params, passes
+from stylit_ref.files.output_file import write_text
+
+UNIFORMITIES = (0, 5000, 10000)
+RUNS = 3
+SEARCH = (
+    "propagation_kernel",
+    "random_search_kernel",
+    "commit_kernel",
+    "decide_kernel",
+    "follow_kernel",
+)
+"""The kernels of GPU_PatchMatch. A live schedule's runs also count Ω anew and evaluate δ after
+every iteration, for the history; the thesis' do not."""
+
+
+def in_blocks(block, shared):
+    """The passes with blocks of another size.
+
+    Parameters
+    ----------
+    block : (int, int)
+        Threads of a block along x and y.
+    shared : bool
+        Whether a block's target patches lie in shared memory.
+    """
+    others = {name: getattr(gpu_cuda, name) for name in gpu_cuda.__all__}
+
+    def propagation(*search):
+        launch_search(make_propagation_kernel, *search, block=block, shared=shared)
+
+    def random_search(textures, *search):
+        side = max(search[4].shape)  # of δ
+        launch_search(
+            make_random_search_kernel, textures, *search, side, block=block, shared=shared
+        )
+
+    others |= {"propagation": propagation, "random_search": random_search}
+    return SimpleNamespace(__all__=gpu_cuda.__all__, **others)
+
+
+SETTINGS = (
+    {
+        f"{name}, λ = {uniformity}": (replace(params, uniformity=uniformity), module)
+        for uniformity in UNIFORMITIES
+        for name, params, module in (
+            ("propose_commit", Params(), gpu_cuda),
+            ("live", Params(schedule="live"), gpu_cuda),
+            ("live with W", Params(schedule="live_sums"), gpu_cuda),
+            ("shared memory", Params("shared_memory"), shared_memory),
+        )
+    }
+    | {"guide_map, ε = 100": (Params("guide_map", epsilon=100.0), gpu_cuda)}
+    | {"a launch for each step of a commit": (Params(), launched_commit)}
+    | {
+        f"blocks of {columns}x{rows}{', shared memory' * shared}": (
+            Params(),
+            in_blocks((columns, rows), shared),
+        )
+        for columns, rows in ((16, 16), (32, 32))
+        for shared in (False, True)
+    }
+)
+"""Params and module of passes of every whole run; without λ in the name it is the default."""
+
+
+def record(style, source_guides, target_guides, settings):
+    """Compare with the CPU and time every setting and every kernel.
+
+    Parameters
+    ----------
+    style : (H_A, W_A, n) uint8
+    source_guides, target_guides : sequence of (H, W, c) uint8
+    settings : dict
+        As :data:`SETTINGS`.
+
+    Yields
+    ------
+    dict
+        The record as it stands after each setting. ``seconds`` are of whole runs from host to
+        host, ``kernels [s]`` the device's own, ``search [s]`` the sum over GPU_PatchMatch's.
+    """
+    scene = style, source_guides, target_guides
+    height, width = target_guides[0].shape[:2]
+    parts = "identical to the CPU", "seconds", "search [s]", "energy", "kernels [s]"
+    found = {"size": f"{width}x{height}"} | {part: {} for part in parts}
+    on_cpu = {}
+    for name, (params, module) in tqdm(settings.items(), unit="setting", disable=None):
+        seconds = []
+        for _ in range(1 + RUNS):  # the first compiles
+            start = time.perf_counter()
+            level = synthesis(*scene, params, module)
+            nnf, image = module.download(level.nnf), level.style
+            seconds.append(time.perf_counter() - start)
+        found["seconds"][name] = statistics.median(seconds[1:])
+        level.init_occurrence_map()
+        found["energy"][name] = level.energy()
+        if params.schedule == "propose_commit":
+            method = "ref" if params.method == "shared_memory" else params.method
+            same = replace(params, method=method)
+            if same not in on_cpu:
+                on_cpu[same] = synthesis(*scene, same, passes)
+            found["identical to the CPU"][name] = bool(
+                (nnf == on_cpu[same].nnf).all()
+                and (image == on_cpu[same].style).all()
+                and (module.download(level.omega) == on_cpu[same].omega).all()
+            )
+        with kernel_times() as times:
+            synthesis(*scene, params, module)
+        found["kernels [s]"][name] = {
+            kernel: {"seconds": sum(seconds), "launches": len(seconds)}
+            for kernel, seconds in times.items()
+        }
+        found["search [s]"][name] = sum(sum(times[kernel]) for kernel in SEARCH if kernel in times)
+        yield found
+
+
+def read_scene(name):
+    """Name, style, source guides and target guides of a packed file or of a scene.
+
+    ``DATA:TARGET/STYLE`` is a scene of another data set than the bundled one.
+    """
+    if Path(name).suffix == ".npz":
+        with np.load(name) as file:
+            count = sum(key.startswith("source_") for key in file)
+            guides = ([file[f"{side}_{k}"] for k in range(count)] for side in ("source", "target"))
+            return str(file["scene"]), file["style"], *guides
+    from eval.scenes import BUNDLED, load_scene  # needs OpenImageIO
+
+    data, _, name = name.rpartition(":")
+    scene = load_scene(name, data or BUNDLED)
+    return name, scene.style, scene.source_guides, scene.target_guides
+
+
+def add_options(parser):
+    """Declare what the report may be told."""
+    parser.add_argument(
+        "scenes", nargs="*", default=["golem/oil"], metavar="SCENE",
+        help="TARGET/STYLE (default golem/oil), FOLDER:TARGET/STYLE of another data set, or a "
+        "packed file",
+    )  # fmt: skip
+    parser.add_argument("--pack", type=Path, metavar="FILE.npz", help="write the first scene there")
+    shared.add_output(parser, "gpu")
+
+
+def main(options, settings=SETTINGS):
+    """Write the record, or pack a scene; returns the exit code."""
+    scenes = [read_scene(name) for name in options.scenes]
+    if options.pack:
+        pack(options.pack, *scenes[0])
+        return 0
+    missing = doctor.missing()
+    if missing:
+        print(f"skipped: {missing}")
+        return 0
+    device = re.sub(r"\W+", "_", doctor.device_name()).strip("_")
+    folder = shared.folder_of(options, "gpu")
+    folder.mkdir(parents=True, exist_ok=True)
+    result = {"circumstances": provenance(), "device": doctor.report(), "scenes": []}
+    for name, *images in scenes:
+        result["scenes"].append({})
+        for found in record(*images, settings):
+            result["scenes"][-1] = {"scene": name} | found
+            text = json.dumps(result, indent=1, ensure_ascii=False)
+            write_text(folder / f"{device}.json", text + "\n")
+    files = [file.name for file in record_files(folder)]
+    write_record(folder, files, files)
+    print(text)
+    same = [same for scene in result["scenes"] for same in scene["identical to the CPU"].values()]
+    return 0 if all(same) else 1
+
+
+def pack(file, name, style, source_guides, target_guides):
+    """Write a scene to a file that :func:`read_scene` reads."""
+    guides = {
+        f"{side}_{k}": guide
+        for side, images in (("source", source_guides), ("target", target_guides))
+        for k, guide in enumerate(images)
+    }
+    np.savez_compressed(file, scene=name, style=style, **guides)
