@@ -13,6 +13,7 @@ import eval.documents
 import eval.reports
 from stylit_ref import InputError
 from stylit_ref.machine.interruption import heed_interruptions
+from stylit_ref.machine.threads import sleep_while_waiting
 
 
 def reports():
@@ -57,4 +58,5 @@ def _text_of(module):
 
 if __name__ == "__main__":
     heed_interruptions()
+    sleep_while_waiting()
     sys.exit(main())

@@ -2,7 +2,6 @@
 
 import platform
 from functools import cache
-from importlib import import_module
 from pathlib import Path
 
 
@@ -11,8 +10,9 @@ def device(backend):
     """Name of the processor or the GPU that a backend runs on."""
     if backend == "cpu":
         return processor()
-    # By name, lest runs on the CPU be kept under the code of the kernels, too.
-    return import_module("gpu_cuda.host.doctor").device_name()
+    from gpu_cuda.host.doctor import device_name
+
+    return device_name()
 
 
 def processor():

@@ -5,7 +5,9 @@ import numpy as np
 from stylit_ref import Params
 from stylit_ref.machine.vector_ssd import LANES
 from stylit_ref.metric.packing import Packing
+from stylit_ref.stylization.exemplar import Exemplar
 from stylit_ref.stylization.level import Level
+from stylit_ref.stylization.target import Target
 
 
 def level_of_case(passes, parameters, arrays):
@@ -33,10 +35,15 @@ def level_of_case(passes, parameters, arrays):
     textures = []
     for name in ("source", "target"):
         channels = np.split(arrays[name], range(1, guides + 1), axis=2)
-        textures.append(passes.upload(packing.pack(channels[:-1], channels[-1])))
+        textures.append(packing.pack(channels[:-1], channels[-1]))
     size = arrays["target"].shape[:2]
     synthesized = arrays["nnf"][:, :, 0] >= 0 if "nnf" in arrays else np.ones(size, bool)
-    level = Level(passes, packing, params, *textures, synthesized)
+    source, target = textures
+    level = Level(
+        Exemplar(passes, packing, params.patch_width, source).level(0),
+        Target(passes, packing, params.patch_width, target, synthesized).level(0),
+        params,
+    )
     for name in ("nnf", "delta", "omega_sums"):
         if name in arrays:
             setattr(level, name, passes.upload(arrays[name].copy()))

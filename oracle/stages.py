@@ -1,7 +1,6 @@
 """Every stage of SPEC.md, done by a module of passes."""
 
 import warnings
-from dataclasses import replace
 
 import numpy as np
 from numba import njit
@@ -24,10 +23,10 @@ from stylit_ref.randomness.random_stream import (
     RANDOM_SEARCH,
     random_stream,
 )
-from stylit_ref.stylization.checks import fit_levels
-from stylit_ref.stylization.mask import active_patches
+from stylit_ref.stylization.backends import Backend
+from stylit_ref.stylization.checks import FewerLevelsWarning
+from stylit_ref.stylization.problem import make_synthesis
 from stylit_ref.stylization.schedules import propose_commit
-from stylit_ref.stylization.synthesis import texture_optimization
 
 METHODS_OWN = "uniformity", "epsilon", "budget", "fixed_share", "error_limit"
 """Parameters that only some methods have."""
@@ -267,31 +266,18 @@ def _run(passes, parameters, arrays):
         levels=parameters["levels"],
         votes=parameters["votes"],
         patchmatch_iterations=parameters["iterations"],
+        guide_influence=parameters["guide_influence"],
+        guide_weights=parameters["guide_weights"],
         **{name: parameters[name] for name in METHODS_OWN if name in parameters},
     )
-    if params.method == "stylit":
-        params = replace(params, uniformity=0)
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # fewer levels than asked for
-        params = fit_levels(params, style.shape[:2], size)
-    packing = make_packing(
-        parameters["guide_channels"],
-        style.shape[2],
-        parameters["guide_influence"],
-        parameters["guide_weights"],
-    )
     mask = arrays.get("mask", np.zeros(size, bool))
-    level = texture_optimization(
-        passes,
-        packing.pack(sources, style),
-        packing.pack(targets),
-        active_patches(mask, params.patch_width),
-        packing,
-        params,
-        parameters["seed"],
-        on_step=lambda step: None,
-        on_level=lambda number, level: None,
-    )
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", FewerLevelsWarning)
+        synthesis = make_synthesis(
+            style, sources, targets, params,
+            seed=parameters["seed"], mask=mask, backend=Backend(passes),
+        )  # fmt: skip
+    level = synthesis.finish()
     image = level.style.copy()
     image[mask] = 0
     return {name: passes.download(getattr(level, name)) for name in ("nnf", "omega")} | {

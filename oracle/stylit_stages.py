@@ -6,6 +6,7 @@ from oracle.levels import level_of_case
 from stylit_ref import Params
 from stylit_ref.stylization import stylit
 from stylit_ref.stylization.error_budget import correspondences_within_budget, knee
+from stylit_ref.stylization.schedules import propose_commit
 
 
 def _budget(_, parameters, arrays):
@@ -53,7 +54,7 @@ def _search(passes, parameters, arrays):
         error_limit=parameters["error_limit"],
     )
     place = parameters["seed"], parameters["level"], parameters["vote"]
-    steps = list(stylit.search(level, params, *place))
+    steps = list(stylit.search(level, params, propose_commit, *place))
     fixed = [step.moves for step in steps if step.retrieval]
     return {"nnf": level.nnf, "delta": level.delta, "fixed_counts": np.array(fixed, np.int64)}
 

@@ -20,8 +20,8 @@ from skimage.transform import downscale_local_mean
 from skimage.util import view_as_windows
 
 from eval.device import processor
-from eval.digests import code_of
 from eval.outcome import Outcome
+from stylit_ref.machine.code_digest import code_digest
 
 FINE, COARSE = 5, 3
 """Widths of the neighbourhoods on a level and on the coarser one (their section 3.1)."""
@@ -31,7 +31,7 @@ NEAREST = 8
 APPROXIMATION = 1.0
 """ε of the approximate search, as in their paper."""
 
-_CODE = code_of(__file__)
+_CODE = code_digest(__file__, without=("gpu_cuda",))
 
 
 @dataclass(frozen=True)

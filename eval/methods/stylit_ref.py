@@ -2,22 +2,19 @@
 
 import time
 from dataclasses import asdict, dataclass, field, replace
-from pathlib import Path
 
 import numpy as np
 import pandas as pd
 
 from eval.device import device
-from eval.digests import code_of
 from eval.outcome import Outcome
+from stylit_ref.machine.code_digest import code_digest
 from stylit_ref.machine.profiling import Profile
 from stylit_ref.stylization.params import Params
 from stylit_ref.stylization.stylize import stylize
 
-_CODE = code_of(__file__)
-_CODE_ON_GPU = code_of(
-    __file__, *sorted(Path(__file__).parents[2].joinpath("gpu_cuda").rglob("*.py"))
-)
+_CODE = code_digest(__file__, without=("gpu_cuda",))
+_CODE_ON_GPU = code_digest(__file__)
 
 
 @dataclass(frozen=True)

@@ -12,15 +12,15 @@ Every file here is found by its being here.
 from importlib import import_module
 from pkgutil import iter_modules
 
-from eval.digests import code_of
+from stylit_ref.machine.code_digest import code_digest
 
 METRICS = {
     module.name: import_module(f"{__name__}.{module.name}") for module in iter_modules(__path__)
 }
 """Modules by name."""
 
-CODES = {name: code_of(module.__file__) for name, module in METRICS.items()}
-"""Digest of the code that each metric runs."""
+CODES = {name: code_digest(module, without=("gpu_cuda",)) for name, module in METRICS.items()}
+"""Digest of the code that each metric runs, on the CPU."""
 
 NUMBERS = {name: number for metric in METRICS.values() for name, number in metric.NUMBERS.items()}
 """Title and format of every number."""

@@ -9,6 +9,7 @@ from skimage.filters import gaussian
 from tqdm import tqdm
 
 from eval.methods.stylit_ref import StylitRef, compile_kernels
+from eval.metrics import definitions
 from eval.pages import options as shared
 from eval.pages.figures import comparison, detailed_window
 from eval.pages.page import new_report, shown
@@ -16,9 +17,10 @@ from eval.provenance import provenance
 from eval.runs.job import Job
 from eval.runs.local import numbers, run
 from eval.similarity import psnr, ssim
-from eval.synthesis import synthesis
 from eval.unbounded_search import UNBOUNDED
 from stylit_ref import Params, passes
+from stylit_ref.stylization.backends import Backend
+from stylit_ref.stylization.problem import make_synthesis
 
 EPSILONS = (3, 5, 10, 25, 100, 500, 5000, 10000)
 BEYOND = 50000
@@ -31,10 +33,6 @@ DEFINITIONS = """\
 - **white**: share of the finest level's target patches whose guides vary by less than ε.
 - **PSNR** [dB] and **SSIM** (mean over channels, 7x7 windows): against the image of ref with the
   same seed. The row of another seed says how far two runs of ref are from each other.
-- **spilled**: target patches whose source patch is centred on another object (where the scene tells
-  objects apart): edges that are lost let one flow into the other.
-- **image energy**: mean δ, by the plain metric, of the best match of every interior patch of the
-  finished image, found by a converged λ = 0 search.
 - **ref/time**: time of ref over that of the row."""
 
 
@@ -108,7 +106,7 @@ def epsilon_report(scene, folder, seed=0, pictures=True):
             f"Thesis configuration, λ = 10000, seed {seed}. At ε = 0 image, NNF and Ω are "
             f"{'those of ref, byte for byte' if equal else 'NOT those of ref'}. Above 0, however "
             "little, patches whose guides do not vary at all are white.",
-            DEFINITIONS,
+            f"{DEFINITIONS}\n{definitions(('image_energy', 'spilled'))}",
             "Time of the synthesis with and without guide maps, each with and without the exact "
             "lower bound of the SSD by moments; the least of three runs each, in turns, in one "
             "process:",
@@ -151,7 +149,8 @@ def _costs(scene, seed):
 def _synthesis(scene, params, module, seed):
     """Seconds and NNF of a synthesis with the given module of passes."""
     start = time.perf_counter()
-    level = synthesis(scene.style, scene.source_guides, scene.target_guides, params, module, seed)
+    images = scene.style, scene.source_guides, scene.target_guides
+    level = make_synthesis(*images, params, seed=seed, backend=Backend(module)).finish()
     return time.perf_counter() - start, level.nnf
 
 

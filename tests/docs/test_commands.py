@@ -228,6 +228,7 @@ def check_flags(text):
                 assert set(re.findall(r"--[a-z-]+", line)) <= flags_of(module), line
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("page", [page for page in PAGES if list(blocks_of(page))])
 def test_the_commands_of_a_page_run(page, scratch):
     blocks = list(blocks_of(page))
@@ -250,6 +251,7 @@ def test_the_commands_of_a_page_run(page, scratch):
             check_flags(output)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("page", PAGES)
 def test_what_is_not_run_says_why(page):
     for block in blocks_of(page):
@@ -267,6 +269,7 @@ def test_fences_are_of_languages_that_are_looked_at(page):
         assert fence.info.split()[0] in LANGUAGES + NO_COMMANDS, fence.content
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("page", PAGES)
 def test_commands_within_a_text_have_the_targets_and_flags_they_name(page):
     makefile = (ROOT / "Makefile").read_text(encoding="utf-8")

@@ -86,6 +86,7 @@ def copy(tmp_path):
     return tmp_path, python
 
 
+@pytest.mark.slow
 def test_a_rival_is_a_file(copy):
     folder, python = copy
     (folder / "eval/methods/unpainted.py").write_text(RIVAL)
@@ -111,6 +112,7 @@ print(sorted(numbers_of(jobs[0])))
     assert other != run
 
 
+@pytest.mark.slow
 def test_a_metric_is_a_file_and_measured_of_runs_that_are_stored(copy):
     folder, python = copy
     (folder / "eval/methods/unpainted.py").write_text(RIVAL)
@@ -140,6 +142,7 @@ print(numbers(Job(scene, Unpainted()), METRICS))
     assert said.endswith("- **brightness**: mean over all pixels.\n")
 
 
+@pytest.mark.slow
 def test_a_report_is_a_file(copy):
     folder, python = copy
     (folder / "eval/reports/called.py").write_text(REPORT)
@@ -155,6 +158,7 @@ print(CODES["image_energy"], CODES["sharpness"], ImageAnalogies().code, StylitRe
 """
 
 
+@pytest.mark.slow
 def test_what_is_stored_is_kept_under_the_code_it_ran(copy):
     """Image energy runs the library's search, whoever made the picture; sharpness does not."""
     folder, python = copy

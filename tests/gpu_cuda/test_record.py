@@ -10,7 +10,9 @@ from small_scene import small_scene
 import gpu_cuda
 from eval.reports import gpu
 from gpu_cuda.host.device import SIMULATED
+from gpu_cuda.variants import live
 from stylit_ref import Params
+from stylit_ref.stylization.backends import Backend
 
 
 def options(*arguments):
@@ -30,8 +32,8 @@ def test_a_record_compares_and_times(tmp_path, monkeypatch):
     guides |= {f"target_{k}": guide for k, guide in enumerate(targets)}
     np.savez(tmp_path / "scene.npz", scene="small/scene", style=style, **guides)
     settings = {
-        "canonical": (Params(**QUICK), gpu_cuda),
-        "live": (Params(schedule="live", **QUICK), gpu_cuda),
+        "canonical": (Params(**QUICK), Backend(gpu_cuda)),
+        "live": (Params(**QUICK), Backend(gpu_cuda, live.live)),
     }
     monkeypatch.setattr(gpu, "RUNS", 1)
     monkeypatch.chdir(tmp_path)

@@ -54,6 +54,7 @@ def test_every_name_of_a_case_is_explained():
     assert used == explained
 
 
+@pytest.mark.slow
 def test_cases_are_what_this_library_makes_of_them(tmp_path):
     made = {case.title: case for case in cases()}
     kept = {case.title: case for case in read_cases(NEWEST)}
@@ -93,6 +94,7 @@ def test_our_passes_give_what_they_must():
     assert {outcome.status for outcome in outcomes} == {PASSED}
 
 
+@pytest.mark.slow
 def test_a_port_written_from_the_text_alone_gives_the_same():
     assert "stylit_ref" not in NAIVE.read_text(encoding="utf-8")
     assert first_failure(ModulePort("naive_port")) is None
@@ -171,6 +173,7 @@ MISTAKES = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("mistake", MISTAKES)
 def test_a_mistake_is_found_at_its_stage(mistake, monkeypatch):
     right, wrong, stage = MISTAKES[mistake]
@@ -185,6 +188,7 @@ def test_a_mistake_is_found_at_its_stage(mistake, monkeypatch):
     assert re.search(r"it must be .*(differ\)|\))$", found.difference.message)
 
 
+@pytest.mark.slow
 def test_cuda_kernels_give_what_they_must():
     """In Numba's simulator, which needs a process of its own."""
     command = [sys.executable, "-m", "stylit_ref.cli", "oracle", "check", "--module", "gpu_cuda"]
@@ -242,6 +246,7 @@ def test_only_what_a_module_does_is_checked(monkeypatch):
     assert found == {"philox": NOT_OFFERED, "downsample": PASSED, "vote": FAILED, "run": FAILED}
 
 
+@pytest.mark.slow
 def test_a_command_is_a_port(tmp_path, capsys):
     command = f"{sys.executable} {NAIVE} {{input}} {{output}}"
     report = tmp_path / "report.json"
@@ -379,6 +384,7 @@ def test_what_a_program_may_do(tmp_path, program, said):
         assert (outcome.status, outcome.difference) == (PASSED, None)
 
 
+@pytest.mark.slow
 def test_a_program_has_so_long_and_no_heir(tmp_path, capsys):
     """What it starts ends with it."""
     port = tmp_path / "port.py"
@@ -465,6 +471,7 @@ def test_what_a_module_may_do(answer, said, monkeypatch):
     assert outcome.difference.message.startswith(said)
 
 
+@pytest.mark.slow
 def test_a_module_that_ends_its_process_is_told(tmp_path, capsys, monkeypatch):
     monkeypatch.chdir(tmp_path)
     module = "import os\ndef run_case(*_): os._exit(3)\n"
@@ -474,6 +481,7 @@ def test_a_module_that_ends_its_process_is_told(tmp_path, capsys, monkeypatch):
     assert "the module ended the process it ran in" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 def test_an_interruption_leaves_neither_process_nor_folder(number, tmp_path):
     """Two workers run a program meanwhile, one has nothing more to do."""

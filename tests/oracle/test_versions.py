@@ -80,6 +80,7 @@ main([*stages, "--cases", "v1", "--module", "port_of_nothing"])
 """
 
 
+@pytest.mark.slow
 def test_the_checker_knows_both_of_two_versions(tmp_path):
     """A copy of the oracle with a second version, one answer of which differs."""
     copy = tmp_path / "oracle"

@@ -7,7 +7,6 @@ from pathlib import Path
 import pandas as pd
 from tqdm import tqdm
 
-from eval.digests import code_of
 from eval.documents.dzurenko import pictures, printed, tables
 from eval.documents.dzurenko.claims import claims
 from eval.metrics import definitions
@@ -15,6 +14,7 @@ from eval.pages.page import is_up_to_date, new_report
 from eval.pages.tables import formatted_with_spread
 from eval.provenance import provenance
 from eval.runs.store import numbers_of, stored
+from stylit_ref.machine.code_digest import code_digest
 
 
 def write_page(plan, folder):
@@ -154,7 +154,7 @@ def _overall(plan, report):
 
 CHECKOUT = Path(__file__).parents[3]
 
-_CODE = code_of(__file__)
+_CODE = code_digest(__file__)
 
 
 def _inputs(plan):

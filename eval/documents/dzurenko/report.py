@@ -27,7 +27,12 @@ def add_options(parser):
     parser.add_argument(
         "--seeds", type=int, nargs="+", help="default: 0, and 1 and 2 of one target"
     )
-    parser.add_argument("--backend", choices=BACKENDS, default="cpu", help="default cpu")
+    parser.add_argument(
+        "--backend",
+        choices=[name for name in BACKENDS if name != "auto"],
+        default="cpu",
+        help="results are kept by the device they are of, so there is no auto (default cpu)",
+    )
     parser.add_argument("--scheduler", help="address of a Dask cluster")
     add_output(parser, "PRESET")
 

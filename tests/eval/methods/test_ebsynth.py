@@ -21,6 +21,7 @@ write_image(sys.argv[sys.argv.index("-output") + 1], image[:38, :44])
 """
 
 
+@pytest.mark.slow
 def test_a_picture_is_all_it_gives(folder):
     program = folder.parent / "program"
     program.write_text(PROGRAM.format(python=sys.executable))

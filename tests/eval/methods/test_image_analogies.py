@@ -1,11 +1,13 @@
 """Image Analogies on input made by hand."""
 
 import numpy as np
+import pytest
 from small_scene import small_scene
 
 from eval.methods.image_analogies import ImageAnalogies, image_analogies
 
 
+@pytest.mark.slow
 def test_image_analogies_of_the_source_are_the_style():
     """Each pixel's neighbourhood is found again where it is."""
     rng = np.random.default_rng(2)
@@ -17,6 +19,7 @@ def test_image_analogies_of_the_source_are_the_style():
     assert [level.shape for level in levels] == [(12, 13, 3), (24, 26, 3)]
 
 
+@pytest.mark.slow
 def test_coherence_continues_what_was_taken_before():
     """Smooth guides leave the choice open; the larger κ, the larger the pieces."""
     style, sources, targets = small_scene()

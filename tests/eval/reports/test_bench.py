@@ -4,11 +4,13 @@ import re
 import sys
 
 import pandas as pd
+import pytest
 
 from eval.__main__ import main
 from eval.reports.bench import THESIS
 
 
+@pytest.mark.slow
 def test_bench_measures_both_programs_alike(folder, capsys, monkeypatch):
     """With a program that copies the style in place of ebsynth."""
     monkeypatch.setattr("eval.reports.bench.THESIS", {**THESIS, "levels": 1, "votes": 1})

@@ -2,10 +2,12 @@
 
 import numpy as np
 import pandas as pd
+import pytest
 
 from eval.__main__ import main
 
 
+@pytest.mark.slow
 def test_epsilon_report(folder, monkeypatch):
     monkeypatch.setattr("eval.reports.epsilon.EPSILONS", (100, 10000))
     monkeypatch.setattr("eval.reports.epsilon.MAPS_SHOWN", (100,))

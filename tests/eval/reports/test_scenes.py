@@ -1,10 +1,12 @@
 """The report scenes on a tiny scene."""
 
 import pandas as pd
+import pytest
 
 from eval.__main__ import main
 
 
+@pytest.mark.slow
 def test_scenes_report(data, tmp_path):
     assert main(["scenes", "--data", str(data)]) == 0
     report = tmp_path / "build" / "reports" / "scenes_small"

@@ -1,11 +1,13 @@
 """The report schedules on a tiny scene."""
 
 import pandas as pd
+import pytest
 
 from eval.__main__ import main
 from eval.reports.schedules import schedule_ratios
 
 
+@pytest.mark.slow
 def test_schedules_report(folder):
     arguments = ["--uniformities", "0", "50000", "--seeds", "0", "1"]
     assert main(["schedules", "--scene", str(folder), *arguments]) == 0

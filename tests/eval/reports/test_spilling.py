@@ -1,10 +1,12 @@
 """The report spilling on a tiny scene."""
 
 import pandas as pd
+import pytest
 
 from eval.__main__ import main
 
 
+@pytest.mark.slow
 def test_spilling_report(data, tmp_path):
     assert main(["spilling", "--data", str(data), "--scene", "teapot/oil,teapot/pen"]) == 0
     report = tmp_path / "build" / "reports" / "spilling_small"

@@ -3,10 +3,12 @@
 import re
 
 import pandas as pd
+import pytest
 
 from eval.__main__ import main
 
 
+@pytest.mark.slow
 def test_stylit_report(folder):
     assert main(["stylit", "--scene", str(folder), "--numbers"]) == 0
     report = folder.parent / "build" / "reports" / "stylit_small_44x38"

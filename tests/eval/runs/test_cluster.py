@@ -3,6 +3,8 @@
 import os
 import signal
 
+import pytest
+
 import eval.runs.cluster
 import eval.runs.complete
 import eval.runs.local
@@ -13,6 +15,7 @@ from eval.runs.complete import complete
 from eval.runs.store import stored
 
 
+@pytest.mark.slow
 def test_a_cluster_survives_a_killed_worker(tmp_path, monkeypatch):
     """Two processes, one of which is killed at work."""
     from dask.distributed import Client, LocalCluster
@@ -36,6 +39,7 @@ def test_a_cluster_survives_a_killed_worker(tmp_path, monkeypatch):
     assert all(stored(job) is not None for job in plan.jobs)
 
 
+@pytest.mark.slow
 def test_a_scheduler_that_is_not_there_is_one_sentence(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("eval.runs.cluster.PATIENCE", "1s")
