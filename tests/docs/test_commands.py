@@ -28,7 +28,7 @@ from skimage.io import imsave
 from data_gen.guides import LIGHT_PASSES
 from data_gen.multilayer_exr import write_layers
 from data_gen.renderer import MissingRendererError, start
-from oracle.cases import STAGES
+from oracle.families import STYLIZATION
 from stylit_ref import Params, read_uint8
 from stylit_ref.files.bit_depth import to_linear
 from stylit_ref.metric.packing import ONE, make_packing
@@ -297,7 +297,7 @@ def test_every_flag_on_the_page_on_ebsynth_is_there():
 def test_a_port_is_told_every_stage_in_order():
     page = (ROOT / "docs/how_to/writing_a_port.md").read_text(encoding="utf-8")
     rows = re.findall(r"^\| ([a-z_, ]+) \|", page.partition("## In which order")[2], re.MULTILINE)
-    assert tuple(", ".join(rows[1:]).split(", ")) == STAGES
+    assert tuple(", ".join(rows[1:]).split(", ")) == tuple(STYLIZATION.sections)
 
 
 def test_weights_on_the_page_on_ebsynth_are_equal():

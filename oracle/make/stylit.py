@@ -4,9 +4,8 @@ from fractions import Fraction
 
 import numpy as np
 
-from oracle.scene import PLACE, RUN, Scene, run_arrays
-from oracle.stages import run_case
-from stylit_ref import passes
+from oracle.make.answer import answer
+from oracle.make.scene import PLACE, RUN, Scene, run_arrays
 
 SEARCH = {
     "seed": PLACE["seed"], "level": PLACE["level"], "vote": PLACE["vote"],
@@ -82,7 +81,7 @@ def _exact_share():
     """The first retrieval fixes just the share that was asked for."""
     scene = Scene(500, uniformity=0.0)
     arrays = scene.only("source", "target", "weights", "nnf", "delta")
-    found = run_case("stylit_search", scene.metric | SEARCH, arrays, passes)
+    found = answer("stylit_search", scene.metric | SEARCH, arrays)
     patches = arrays["delta"].size
     share = int(found["fixed_counts"][0]) / patches
     assert share * patches == found["fixed_counts"][0]

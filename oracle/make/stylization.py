@@ -1,14 +1,15 @@
-"""The cases of the newest version: awkward inputs, and what this library makes of them."""
+"""The cases of stylization: awkward inputs, and what this library makes of them."""
 
+from collections.abc import Iterator
 from fractions import Fraction
 
 import numpy as np
 
-from oracle.cases import NEWEST, SECTIONS, Case
-from oracle.make_stylit import stylit_inputs
-from oracle.scene import PLACE, RUN, Scene, run_arrays
-from oracle.stages import run_case
-from stylit_ref import passes
+from oracle.cases import Case
+from oracle.families import STYLIZATION
+from oracle.make.answer import answer
+from oracle.make.scene import PLACE, RUN, Scene, run_arrays
+from oracle.make.stylit import stylit_inputs
 
 LEVELS = {
     "plain": {},
@@ -40,20 +41,15 @@ TOLERANCES = {"knee": {"x": 1e-12}}
 """Of the stages whose expected arrays need not be equal bit for bit."""
 
 
-def cases():
-    """Every case of the newest version, with what it must give.
-
-    Yields
-    ------
-    Case
-    """
+def stylization_cases(version: str) -> Iterator[Case]:
+    """Every case of the newest version, with what it must give."""
     for stage, name, parameters, arrays in _inputs():
-        expected = run_case(stage, parameters, arrays, passes)
+        expected = answer(stage, parameters, arrays)
         if stage in ("commit", "iteration") and not parameters["occurrence_weight"]:
             del expected["omega_sums"]
         tolerances = TOLERANCES.get(stage, {})
-        section = SECTIONS[stage]
-        yield Case(NEWEST, stage, name, section, parameters, tolerances, arrays, expected)
+        section = STYLIZATION.sections[stage]
+        yield Case(version, stage, name, section, parameters, tolerances, arrays, expected)
 
 
 def _inputs():
@@ -100,7 +96,7 @@ def _of_level(name, scene):
         parameters = scene.search | {"distance": distance}
         yield "propagation", f"{name}_{distance}", parameters, searched
     yield "random_search", name, scene.search | PLACE, searched
-    proposals = run_case("random_search", scene.search | PLACE, searched, passes)
+    proposals = answer("random_search", scene.search | PLACE, searched)
     committed = scene.only("nnf", "delta", "omega_sums") | proposals
     yield "commit", name, scene.search | PLACE, committed
     yield "iteration", name, scene.search | PLACE, searched
@@ -163,12 +159,12 @@ def _guide_maps():
     ):
         scene = Scene(100 + number, smooth=True, **differences)
         arrays = scene.only("source", "target", "weights")
-        whole = run_case("guide_map", scene.metric | {"epsilon": 0.0}, arrays, passes)
+        whole = answer("guide_map", scene.metric | {"epsilon": 0.0}, arrays)
         parameters = scene.metric | {
             "epsilon": float(choose(whole["variances"] / scene.metric["patch_width"] ** 4))
         }
         yield "guide_map", name, parameters, arrays
-        white = run_case("guide_map", parameters, arrays, passes)["white"]
+        white = answer("guide_map", parameters, arrays)["white"]
         arrays = arrays | scene.only("nnf") | {"white": white}
         yield "white_delta", name, scene.metric, arrays
 

@@ -2,8 +2,7 @@
 
 import numpy as np
 
-from oracle.stages import run_case
-from stylit_ref import passes
+from oracle.make.answer import answer
 
 PLACE = {"seed": 0x1234567890ABCDEF, "level": 3, "vote": 2, "iteration": 5}
 """Where in a run the random numbers of the cases belong."""
@@ -48,7 +47,7 @@ class Scene:
             "source_pixels": source[0] * source[1],
             "target_patches": target[0] * target[1],
         }
-        weighed = run_case("weights", self.weighing, {}, passes)
+        weighed = answer("weights", self.weighing, {})
         self.arrays["weights"] = weighed["weights"]
         self.occurrence_weight = int(weighed["occurrence_weight"])
         self.sizes = {
@@ -59,14 +58,14 @@ class Scene:
             self.start[np.eye(*target, dtype=bool)] = -1
         place = {"seed": PLACE["seed"], "level": PLACE["level"]}
         self.random = self.sizes | place
-        nnf = run_case("random_nnf", self.random, {"nnf": self.start}, passes)["nnf"]
+        nnf = answer("random_nnf", self.random, {"nnf": self.start})["nnf"]
         if crowded:
             nnf[::2] = nnf[0, 0]
         self.arrays["nnf"] = nnf
         self.metric = {"patch_width": patch_width, "guide_channels": self.guide_channels}
-        delta = run_case("delta", self.metric, self.arrays, passes)
+        delta = answer("delta", self.metric, self.arrays)
         self.arrays["delta"] = delta["delta_guides"] + delta["delta_style"]
-        occurrence = run_case("occurrence", self.sizes, {"nnf": nnf}, passes)
+        occurrence = answer("occurrence", self.sizes, {"nnf": nnf})
         self.arrays["omega_sums"] = occurrence["omega_sums"]
         self.search = self.metric | {"occurrence_weight": self.occurrence_weight}
 

@@ -1,14 +1,11 @@
-"""Every stage of SPEC.md, done by a module of passes."""
-
-import warnings
+"""The stages of SPEC.md but for StyLit's and for whole levels and runs."""
 
 import numpy as np
 from numba import njit
 
-from oracle import stylit_stages
-from oracle.levels import level_of_case
-from stylit_ref import Params
-from stylit_ref import passes as library_passes
+from oracle.compare import NotOfferedError
+from oracle.stages.levels import level_of_case
+from oracle.stages.stage import LEVEL, SEARCH, Stage
 from stylit_ref.formulae.guide_map import scaled_variance
 from stylit_ref.formulae.patch_penalization import penalization
 from stylit_ref.machine.vector_ssd import LANES
@@ -23,72 +20,7 @@ from stylit_ref.randomness.random_stream import (
     RANDOM_SEARCH,
     random_stream,
 )
-from stylit_ref.stylization.backends import Backend
-from stylit_ref.stylization.checks import FewerLevelsWarning
-from stylit_ref.stylization.problem import make_synthesis
 from stylit_ref.stylization.schedules import propose_commit
-
-METHODS_OWN = "uniformity", "epsilon", "budget", "fixed_share", "error_limit"
-"""Parameters that only some methods have."""
-
-_LEVEL = "upload", "zeros", "repeat_edge", "moments_storage", "patch_moments"
-_GUIDE_MAP = *_LEVEL, "download", "means", "guide_map"
-_SEARCH = *_LEVEL, "propagation", "random_search", "commit"
-_RUN = (
-    *_SEARCH, "download", "random_nnf", "downsample", "upsample_nnf", "occurrence_map", "vote",
-    "similarity", "energy",
-)  # fmt: skip
-
-NEEDS = {
-    "random_nnf": ("upload", "download", "random_nnf"),
-    "downsample": ("upload", "download", "downsample"),
-    "upsample_nnf": ("upload", "download", "upsample_nnf"),
-    "occurrence": ("upload", "download", "zeros", "occurrence_map"),
-    "delta": (*_LEVEL, "download", "similarity"),
-    "guide_map": _GUIDE_MAP,
-    "white_delta": (*_GUIDE_MAP, "similarity"),
-    "propagation": (*_LEVEL, "download", "propagation"),
-    "random_search": (*_LEVEL, "download", "random_search"),
-    "commit": ("upload", "download", "zeros", "commit"),
-    "iteration": (*_SEARCH, "download"),
-    "vote": ("upload", "download", "vote"),
-    "level": (*_SEARCH, "download", "occurrence_map", "vote", "similarity"),
-    "run": (*_RUN, "means", "guide_map"),
-    "lower_bound": _LEVEL,
-    "invert_nnf": ("invert_nnf",),
-    "settle": ("settle_claims",),
-    "stylit_search": (*_SEARCH, "random_nnf", "similarity", "invert_nnf", "settle_claims"),
-    "stylit_run": (*_RUN, "invert_nnf", "settle_claims"),
-}
-"""Passes of every stage; what is not here is done by formulae of the library alone."""
-
-
-def is_offered(stage, passes):
-    """Whether a stage checks this module: it has the passes, or all of it is the library's own."""
-    if passes is library_passes:
-        return True
-    if stage not in NEEDS or not all(hasattr(passes, name) for name in NEEDS[stage]):
-        return False
-    return stage != "lower_bound" or passes.moments_storage(1, 1, LINE_LANES) is not None
-
-
-def run_case(stage, parameters, arrays, passes):
-    """Do a stage.
-
-    Parameters
-    ----------
-    stage : str
-        One of :data:`oracle.cases.STAGES`.
-    parameters : dict
-    arrays : dict of str to array
-    passes : module
-        :mod:`stylit_ref.passes`, or another that offers the same.
-
-    Returns
-    -------
-    dict of str to array
-    """
-    return _STAGES[stage](passes, parameters, arrays)
 
 
 def _philox(_, parameters, arrays):
@@ -236,56 +168,9 @@ def _vote(passes, parameters, arrays):
     return {"style": np.ascontiguousarray(inside)}
 
 
-def _whole_level(passes, parameters, arrays):
-    guides = arrays["target_guides"]
-    style_channels = arrays["source"].shape[2] - guides.shape[2]
-    blank = np.zeros((*guides.shape[:2], style_channels), np.uint8)
-    given = arrays | {"target": np.concatenate([guides, blank], axis=2)}
-    level = level_of_case(passes, parameters, given)
-    level.init_occurrence_map()
-    for vote in range(1, parameters["votes"] + 1):
-        level.vote()
-        level.update_moments()
-        for iteration in range(1, parameters["iterations"] + 1):
-            propose_commit(level, parameters["seed"], parameters["level"], vote, iteration)
-    level.vote()
-    level.init_occurrence_map()
-    found = {name: passes.download(getattr(level, name)) for name in ("nnf", "omega")}
-    return found | {"style": np.ascontiguousarray(level.style)}
-
-
-def _run(passes, parameters, arrays):
-    splits = np.cumsum(parameters["guide_channels"])[:-1]
-    sources, targets = (
-        np.split(arrays[f"{side}_guides"], splits, axis=2) for side in ("source", "target")
-    )
-    style, size = arrays["style"], targets[0].shape[:2]
-    params = Params(
-        parameters.get("method", "stylit"),
-        patch_width=parameters["patch_width"],
-        levels=parameters["levels"],
-        votes=parameters["votes"],
-        patchmatch_iterations=parameters["iterations"],
-        guide_influence=parameters["guide_influence"],
-        guide_weights=parameters["guide_weights"],
-        **{name: parameters[name] for name in METHODS_OWN if name in parameters},
-    )
-    mask = arrays.get("mask", np.zeros(size, bool))
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", FewerLevelsWarning)
-        synthesis = make_synthesis(
-            style, sources, targets, params,
-            seed=parameters["seed"], mask=mask, backend=Backend(passes),
-        )  # fmt: skip
-    level = synthesis.finish()
-    image = level.style.copy()
-    image[mask] = 0
-    return {name: passes.download(getattr(level, name)) for name in ("nnf", "omega")} | {
-        "image": image
-    }
-
-
 def _lower_bound(passes, parameters, arrays):
+    if passes.moments_storage(1, 1, LINE_LANES) is None:
+        raise NotOfferedError
     level = level_of_case(passes, parameters, arrays)
     bound = np.zeros(level.nnf.shape[:2], np.int64)
     _fill_bounds(make_delta_bound(len(level.packing.moments)), level.textures, level.nnf, bound)
@@ -298,31 +183,6 @@ def _fill_bounds(delta_bound, textures, nnf, bound):
         for x in range(bound.shape[1]):
             if nnf[y, x, 0] >= 0:
                 bound[y, x] = delta_bound(textures, y, x, nnf[y, x, 0], nnf[y, x, 1])
-
-
-_STAGES = {
-    "philox": _philox,
-    "weights": _weights,
-    "random_nnf": _random_nnf,
-    "downsample": _downsample,
-    "upsample_nnf": _upsample_nnf,
-    "occurrence": _occurrence,
-    "delta": _delta,
-    "phi": _phi,
-    "guide_map": _guide_map,
-    "white_delta": _white_delta,
-    "propagation": _propagation,
-    "random_search": _random_search,
-    "commit_order": _commit_order,
-    "commit": _commit,
-    "iteration": _iteration,
-    "vote": _vote,
-    "level": _whole_level,
-    "run": _run,
-    "stylit_run": _run,
-    "lower_bound": _lower_bound,
-    **stylit_stages.STAGES,
-}
 
 
 def _sizes(parameters):
@@ -341,3 +201,27 @@ def _proposed(level, propose, *parameters):
     )  # fmt: skip
     names = "proposed_nnf", "proposed_delta"
     return {name: level.passes.download(getattr(level, name)) for name in names}
+
+
+_IMAGES = "upload", "download"
+_GUIDE_MAP = *LEVEL, "download", "means", "guide_map"
+
+STAGES = {
+    "philox": Stage(_philox),
+    "weights": Stage(_weights),
+    "random_nnf": Stage(_random_nnf, (*_IMAGES, "random_nnf")),
+    "downsample": Stage(_downsample, (*_IMAGES, "downsample")),
+    "upsample_nnf": Stage(_upsample_nnf, (*_IMAGES, "upsample_nnf")),
+    "occurrence": Stage(_occurrence, (*_IMAGES, "zeros", "occurrence_map")),
+    "delta": Stage(_delta, (*LEVEL, "download", "similarity")),
+    "phi": Stage(_phi),
+    "guide_map": Stage(_guide_map, _GUIDE_MAP),
+    "white_delta": Stage(_white_delta, (*_GUIDE_MAP, "similarity")),
+    "propagation": Stage(_propagation, (*LEVEL, "download", "propagation")),
+    "random_search": Stage(_random_search, (*LEVEL, "download", "random_search")),
+    "commit_order": Stage(_commit_order),
+    "commit": Stage(_commit, (*_IMAGES, "zeros", "commit")),
+    "iteration": Stage(_iteration, (*SEARCH, "download")),
+    "vote": Stage(_vote, (*_IMAGES, "vote")),
+    "lower_bound": Stage(_lower_bound, LEVEL),
+}

@@ -1,8 +1,9 @@
-"""Stages of StyLit: section 14 and 15 of SPEC.md."""
+"""StyLit's stages: sections 14 and 15 of SPEC.md."""
 
 import numpy as np
 
-from oracle.levels import level_of_case
+from oracle.stages.levels import level_of_case
+from oracle.stages.stage import SEARCH, Stage
 from stylit_ref import Params
 from stylit_ref.stylization import stylit
 from stylit_ref.stylization.error_budget import correspondences_within_budget, knee
@@ -60,10 +61,11 @@ def _search(passes, parameters, arrays):
 
 
 STAGES = {
-    "budget": _budget,
-    "knee": _knee,
-    "invert_nnf": _invert_nnf,
-    "settle": _settle,
-    "stylit_search": _search,
+    "budget": Stage(_budget),
+    "knee": Stage(_knee),
+    "invert_nnf": Stage(_invert_nnf, ("invert_nnf",)),
+    "settle": Stage(_settle, ("settle_claims",)),
+    "stylit_search": Stage(
+        _search, (*SEARCH, "random_nnf", "similarity", "invert_nnf", "settle_claims")
+    ),
 }
-"""``(passes, parameters, arrays) -> dict of str to array``, by stage."""
