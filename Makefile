@@ -5,38 +5,36 @@
 PYTHON ?= python3
 VENV ?= .venv
 BIN := $(VENV)/bin
-SCENE ?= golem/crayon
-DATA ?= data_gen/bundled
+SCENE ?=
+DATA ?=
 SIZE ?= 1200x912
-PRESET ?= quick
+PRESET ?=
 ARGS ?=
 WORKERS ?= 2
 PYTHONS ?= 3.11 3.12 3.13 3.14
 
-.PHONY: eval schedules epsilon stylit spilling bench scenes test test-fast test-gpu ptx docs wheel lowest lint data help clean
+.PHONY: eval reports schedules epsilon stylit spilling bench scenes test test-fast test-gpu ptx docs wheel lowest lint data help clean
 
 eval: $(VENV)/$(if $(SCHEDULER),cluster,eval).installed ## tables and figures of the thesis: PRESET, SCHEDULER, ARGS="--scene DIR"
-	$(BIN)/python -m eval thesis --preset "$(PRESET)" $(if $(SCHEDULER),--scheduler "$(SCHEDULER)") $(ARGS)
+	$(BIN)/python -m eval dzurenko $(if $(PRESET),--preset "$(PRESET)") $(if $(SCHEDULER),--scheduler "$(SCHEDULER)") $(ARGS)
 
-schedules: $(VENV)/eval.installed ## propose_commit against scanline at every λ (slow)
-	$(BIN)/python -m eval schedules --scene "$(SCENE)" --data "$(DATA)" $(ARGS)
+reports: $(VENV)/eval.installed ## the slim copies that are committed, of reports made before: ARGS=NAME for a new one
+	$(BIN)/python -m eval publish $(ARGS)
 
-epsilon: SCENE = golem/oil
-epsilon: $(VENV)/eval.installed ## guide maps at every ε, and what they save
-	$(BIN)/python -m eval epsilon --scene "$(SCENE)" --data "$(DATA)" $(ARGS)
+report-%: $(VENV)/eval.installed # any report of python -m eval --help
+	$(BIN)/python -m eval $* $(if $(SCENE),--scene "$(SCENE)") $(if $(DATA),--data "$(DATA)") $(if $(EBSYNTH),--ebsynth "$(EBSYNTH)") $(ARGS)
 
-stylit: $(VENV)/eval.installed ## StyLit beside the occurrence map
-	$(BIN)/python -m eval stylit --scene "$(SCENE)" --data "$(DATA)" $(ARGS)
+schedules: report-schedules ## propose_commit against scanline at every λ (slow)
 
-spilling: SCENE = scorpion/watercolour,hand/watercolour,golem/oil,stego/crayon,teapot/oil
-spilling: $(VENV)/eval.installed ## what an ID guide cures: SCENE=TARGET/STYLE,...
-	$(BIN)/python -m eval spilling --scene "$(SCENE)" --data "$(DATA)" $(ARGS)
+epsilon: report-epsilon ## guide maps at every ε, and what they save
 
-bench: $(VENV)/eval.installed ## time and energy, beside ebsynth with EBSYNTH=path
-	$(BIN)/python -m eval bench --scene "$(SCENE)" --data "$(DATA)" $(if $(EBSYNTH),--ebsynth "$(EBSYNTH)") $(ARGS)
+stylit: report-stylit ## StyLit beside the occurrence map
 
-scenes: $(VENV)/eval.installed ## contact sheets, and every target in every style
-	$(BIN)/python -m eval scenes --data "$(DATA)" $(ARGS)
+spilling: report-spilling ## what an ID guide cures: SCENE=TARGET/STYLE,...
+
+bench: report-bench ## time and energy, beside ebsynth with EBSYNTH=path
+
+scenes: report-scenes ## contact sheets, and every target in every style
 
 data: $(VENV)/render.installed ## render scenes and styles: SIZE=1200x912, SCENES=teapot,house
 	$(BIN)/python -m data_gen --size "$(SIZE)" $(if $(SCENES),--scenes "$(SCENES)") $(ARGS)
@@ -50,10 +48,10 @@ test-fast: $(VENV)/test.installed ## the tests that take less than a minute toge
 
 test-gpu: $(VENV)/gpu.installed $(VENV)/test.installed ## tests of the CUDA kernels on a GPU, and its times
 	$(BIN)/python -m pytest tests/gpu_cuda
-	$(BIN)/python -m eval.gpu_record $(ARGS)
+	$(BIN)/python -m eval gpu $(ARGS)
 
 ptx: .venv-ptx/ptx.installed ## every CUDA kernel compiled, no GPU needed
-	.venv-ptx/bin/python -m eval.ptx_report
+	.venv-ptx/bin/python -m eval ptx
 
 DIST := build/dist
 UV := $(BIN)/uv --quiet --no-python-downloads

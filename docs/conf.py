@@ -1,6 +1,5 @@
 """The site, by ``make docs``; its source is the repository, so that pages stay where they are."""
 
-import hashlib
 import re
 from pathlib import Path
 
@@ -9,15 +8,13 @@ import numba
 numba.config.DISABLE_JIT = True  # formulae as the functions they were written as, with docstrings
 
 import stylit_ref  # noqa: E402
+from stylit_ref.machine.code_digest import code_digest, imported_files  # noqa: E402
 
 
 def _code_of_notebooks():
     """Identifies the code that notebooks call: outputs of another one are not taken."""
-    digest = hashlib.sha256()
-    for package in ("stylit_ref", "gpu_cuda", "eval", "data_gen"):
-        for file in sorted(Path(__file__).parents[1].glob(f"{package}/**/*.py")):
-            digest.update(file.read_bytes())
-    return digest.hexdigest()[:16]
+    notebooks = set(Path(__file__).parents[1].glob("notebooks/*.py"))
+    return code_digest(*imported_files(*notebooks) - notebooks)[:16]
 
 
 project = "stylit-ref"

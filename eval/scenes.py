@@ -58,12 +58,21 @@ class Scene:
 
     @cached_property
     def digest(self):
-        """Identifies the pixels of the scene."""
-        digest = hashlib.sha256()
-        for image in (self.style, *self.source_guides, *self.target_guides):
-            digest.update(repr(image.shape).encode())
-            digest.update(np.ascontiguousarray(image))
-        return digest.hexdigest()
+        """Identifies the images that methods see."""
+        return _digest((self.style, *self.source_guides, *self.target_guides))
+
+    @cached_property
+    def digest_of_ids(self):
+        """Identifies the objects, which metrics alone see."""
+        return _digest(self.ids or ())
+
+
+def _digest(images):
+    digest = hashlib.sha256()
+    for image in images:
+        digest.update(repr(image.shape).encode())
+        digest.update(np.ascontiguousarray(image))
+    return digest.hexdigest()
 
 
 def load_scene(name, data=BUNDLED, step=1):

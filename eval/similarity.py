@@ -4,6 +4,18 @@ import flip_evaluator
 import numpy as np
 from skimage.metrics import peak_signal_noise_ratio, structural_similarity
 
+from eval.number import Number
+
+NUMBERS = {
+    "PSNR": Number("PSNR [dB]", "{:.1f}"),
+    "SSIM": Number("SSIM", "{:.3f}"),
+    "FLIP": Number("FLIP", "{:.3f}"),
+}
+
+DEFINITION = """\
+- **PSNR**, **SSIM** (mean over channels, 7x7 windows) and **FLIP** (mean; 0 alike, 1 as unlike as
+  can be; 67 pixels a degree)"""
+
 
 def psnr(image, reference):
     """Peak signal-to-noise ratio in dB; infinite for equal images.

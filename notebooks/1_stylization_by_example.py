@@ -24,10 +24,10 @@ import matplotlib.pyplot as plt
 import numpy as np
 from scipy.spatial import cKDTree
 
-from eval.figures import nnf_colours
+from eval.metrics.sharpness import richness
+from eval.metrics.spilling import spilling
+from eval.pages.figures import nnf_colours
 from eval.scenes import load_scene
-from eval.sharpness import richness
-from eval.spilling import spilling
 from stylit_ref import Params, replay, stylize
 from stylit_ref.files.bit_depth import to_linear, to_uint8
 

@@ -28,7 +28,7 @@ from matplotlib.animation import FuncAnimation
 from scipy.spatial.distance import cdist
 from skimage.util import view_as_windows
 
-from eval.figures import nnf_colours
+from eval.pages.figures import nnf_colours
 from eval.scenes import load_scene
 from stylit_ref import Params, passes, replay, stylize
 from stylit_ref.formulae.candidates import propagation_candidate

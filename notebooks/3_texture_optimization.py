@@ -27,7 +27,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from IPython.display import Markdown, display
 
-from eval.figures import nnf_colours
+from eval.pages.figures import nnf_colours
 from eval.scenes import load_scene
 from stylit_ref import Params, passes, replay, stylize
 from stylit_ref.machine.replaced import replaced

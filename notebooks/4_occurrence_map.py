@@ -26,10 +26,10 @@ from IPython.display import HTML, display
 from matplotlib.animation import FuncAnimation
 from matplotlib.colors import LogNorm
 
+from eval.metrics.sharpness import detail, richness
+from eval.metrics.spilling import spilling
+from eval.metrics.usage import coverage, distinct_patches, peak_usage, usage_entropy
 from eval.scenes import load_scene
-from eval.sharpness import detail, richness
-from eval.spilling import spilling
-from eval.usage import coverage, distinct_patches, peak_usage, usage_entropy
 from stylit_ref import Params, passes, stylize
 from stylit_ref.formulae.improve_assignment import phi
 from stylit_ref.formulae.patch_penalization import omega_best

@@ -46,7 +46,7 @@ import numba
 import numpy as np
 
 import gpu_cuda
-from eval.sharpness import sharpness
+from eval.metrics.sharpness import sharpness
 from gpu_cuda.host import device, doctor
 from stylit_ref import Params, passes, read_uint8, stylize
 from stylit_ref.randomness import philox

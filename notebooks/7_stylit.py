@@ -30,8 +30,8 @@ from importlib.resources import files
 import matplotlib.pyplot as plt
 import numpy as np
 
-from eval.sharpness import richness
-from eval.usage import coverage, distinct_patches, peak_usage
+from eval.metrics.sharpness import richness
+from eval.metrics.usage import coverage, distinct_patches, peak_usage
 from stylit_ref import Params, passes, read_uint8, stylize
 from stylit_ref.metric.packing import ONE
 from stylit_ref.passes.claims import FIXED
@@ -272,8 +272,8 @@ for name, result in results.items():
 # %% [markdown]
 # *Distinct* counts the different source patches among those assigned, *coverage* the style's
 # pixels that are used at all, *peak* how often the most used one is beside an even use, and
-# *richness* compares the energy of the fine detail with the style's (`eval/usage.py`,
-# `eval/sharpness.py`).
+# *richness* compares the energy of the fine detail with the style's (`eval/metrics/usage.py`,
+# `eval/metrics/sharpness.py`).
 #
 # Compare the bottom row first. At $\lambda = 0$ whole regions of the style are black: unused. The
 # occurrence map spreads the use evenly, as far as $\lambda$ asks for it. StyLit fills most of the

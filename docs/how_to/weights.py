@@ -2,10 +2,12 @@
 
 from pathlib import Path
 
-from eval.figures import contact_sheet
-from eval.runs import run
+from eval.methods.stylit_ref import StylitRef
+from eval.metrics.sharpness import richness
+from eval.pages.figures import contact_sheet
+from eval.runs.job import Job
+from eval.runs.local import run
 from eval.scenes import load_scene
-from eval.sharpness import richness
 from stylit_ref import Params
 
 INFLUENCES = (0.1, 0.5, 2, 8)
@@ -22,7 +24,7 @@ def weighed(weight):
 
 def shown(title, **params):
     """A run and its title."""
-    image = run(scene, Params(**params), 0).image
+    image = run(Job(scene, StylitRef(Params(**params)))).image
     return f"{title}, richness {richness(image, scene.style):.2f}", image
 
 
@@ -36,4 +38,4 @@ rows = [
         *(shown(f"LSE: --weight {value}", guide_weights=weighed(value)) for value in HIGHLIGHTS),
     ],
 ]
-contact_sheet(Path(__file__).with_suffix(".webp"), rows)
+contact_sheet(rows, Path(__file__).with_suffix(".webp"))

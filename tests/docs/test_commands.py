@@ -43,7 +43,8 @@ RUN, DRY_RUN, RENDERS = "", "dry-run", "renders"
 NOT_RUN = ("not-run: installs packages", "not-run: needs a GPU")
 HELP = {
     "stylit-ref run": "stylit_ref.cli run",
-    "python -m eval": "eval",
+    "python -m eval dzurenko": "eval dzurenko",
+    "python -m eval gpu": "eval gpu",
     "python -m data_gen": "data_gen",
 }
 """Commands whose flags can be asked for without running them, and the module that tells."""

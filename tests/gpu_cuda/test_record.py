@@ -1,5 +1,6 @@
 """The record of a GPU, made in the simulator."""
 
+import argparse
 import json
 
 import numpy as np
@@ -7,9 +8,19 @@ import pytest
 from small_scene import small_scene
 
 import gpu_cuda
-from eval import gpu_record
+from eval.reports import gpu
 from gpu_cuda.host.device import SIMULATED
+from gpu_cuda.variants import live
 from stylit_ref import Params
+from stylit_ref.stylization.backends import Backend
+
+
+def options(*arguments):
+    """What the command line would make of arguments."""
+    parser = argparse.ArgumentParser()
+    gpu.add_options(parser)
+    return parser.parse_args(arguments)
+
 
 QUICK = {"levels": 1, "votes": 1, "patchmatch_iterations": 1}
 
@@ -21,13 +32,13 @@ def test_a_record_compares_and_times(tmp_path, monkeypatch):
     guides |= {f"target_{k}": guide for k, guide in enumerate(targets)}
     np.savez(tmp_path / "scene.npz", scene="small/scene", style=style, **guides)
     settings = {
-        "canonical": (Params(**QUICK), gpu_cuda),
-        "live": (Params(schedule="live", **QUICK), gpu_cuda),
+        "canonical": (Params(**QUICK), Backend(gpu_cuda)),
+        "live": (Params(**QUICK), Backend(gpu_cuda, live.live)),
     }
-    monkeypatch.setattr(gpu_record, "RUNS", 1)
+    monkeypatch.setattr(gpu, "RUNS", 1)
     monkeypatch.chdir(tmp_path)
-    assert gpu_record.main(["scene.npz"], settings) == 0
-    (written,) = (tmp_path / "reports" / "gpu").iterdir()
+    assert gpu.main(options("scene.npz"), settings) == 0
+    (written,) = gpu.record_files(tmp_path / "build" / "reports" / "gpu")
     (found,) = json.loads(written.read_text(encoding="utf-8"))["scenes"]
     assert found["scene"] == "small/scene"
     assert found["identical to the CPU"] == {"canonical": True}
@@ -37,8 +48,8 @@ def test_a_record_compares_and_times(tmp_path, monkeypatch):
 
 
 def test_a_scene_is_packed_for_a_machine_that_reads_no_images(tmp_path):
-    assert gpu_record.main(["golem/pen", "--pack", str(tmp_path / "golem.npz")]) == 0
-    name, style, sources, targets = gpu_record.read_scene(tmp_path / "golem.npz")
+    assert gpu.main(options("golem/pen", "--pack", str(tmp_path / "golem.npz"))) == 0
+    name, style, sources, targets = gpu.read_scene(tmp_path / "golem.npz")
     assert name == "golem/pen"
     assert style.shape == (228, 300, 3)
     assert len(sources) == len(targets) == 5

@@ -3,24 +3,22 @@
 import signal
 from contextlib import suppress
 
-import numpy as np
 import pytest
 from hostile.command_line import check
 from hostile.programs import done, started, wait_for
 from small_scene import small_scene
 
-import eval.runs
 from data_gen.manifest import Manifest
 from data_gen.renderer import MissingRendererError, start
-from eval.runs import read, stored
-from eval.thesis.plan import preset
-from eval.thesis.quality import store_quality, stored_quality
+from eval.documents.dzurenko.plan import preset
+from eval.runs.local import compute, run
+from eval.runs.store import numbers_of, read, run_file, store, store_numbers, stored
 from stylit_ref import read_image, write_image
 
 INTERRUPTED = "interrupted; no half-written file is left"
 SHORT, LONG = ("--search-vote-iters", "1"), ("--search-vote-iters", "300")
 THESIS = [
-    "eval", "thesis", "--step", "7", "--targets", "hand", "--seeds", "0", "--output", "report",
+    "eval", "dzurenko", "--step", "7", "--targets", "hand", "--seeds", "0", "--output", "report",
 ]  # fmt: skip
 DATA = ["data_gen", "--size", "60x46", "--samples", "4", "--scenes", "teapot", "--folder", "set"]
 
@@ -108,8 +106,8 @@ def test_eval_goes_on(tmp_path):
     assert before.items() <= results().items()
 
     written = {file.name: file.read_bytes() for file in report.iterdir()}
-    del written["inputs.json"]
-    (report / "inputs.json").unlink()
+    del written["report.json"]
+    (report / "report.json").unlink()
     (report / ".partial_1").mkdir()  # as SIGKILL leaves it
     with started(*THESIS, folder=tmp_path, largest_file=5000) as process:
         check(*done(process), "…ile too large…")
@@ -155,16 +153,16 @@ def test_results_of_another_run_are_not_taken(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     plan = preset("quick", step=7, targets=["hand"], seeds=[0])
     job, other = plan.ref("hand", 5000), plan.ref("hand", 10000)
-    eval.runs.store(job, eval.runs.compute(job))
-    store_quality(job, {"coverage": 0.5})
+    store(job, compute(job))
+    store_numbers(job, {"usage": {"coverage": 0.5}})
     assert stored(job) is not None
-    assert stored_quality(job) == {"coverage": 0.5}
-    other.file.write_bytes(job.file.read_bytes())
-    (numbers,) = (tmp_path / "build" / "quality").iterdir()
-    numbers.with_name(numbers.name.replace(job.key, other.key)).write_bytes(numbers.read_bytes())
+    assert numbers_of(job) == {"coverage": 0.5}
+    run_file(other).write_bytes(run_file(job).read_bytes())
+    (numbers,) = (tmp_path / "build" / "measures").iterdir()
+    numbers.with_name(f"{other.file_name}.json").write_bytes(numbers.read_bytes())
     assert stored(other) is None
-    assert stored_quality(other) is None
-    np.testing.assert_array_equal(eval.runs.run(other.scene, other.params, 0).key, other.key)
+    assert numbers_of(other) == {}
+    assert run(other).key == other.key
     for content in ("[]", "{}", "null", '{"run": 3}', "\\0"):
         numbers.write_text(content)
-        assert stored_quality(job) is None
+        assert numbers_of(job) == {}

@@ -19,7 +19,7 @@ from small_scene import small_scene
 
 import stylit_ref.stylization.problem
 from data_gen.manifest import DataError, Manifest
-from eval.runs import read
+from eval.runs.store import read
 from stylit_ref import InputError, Params, read_image, replay, stylize, write_image
 from stylit_ref.cli import main
 from stylit_ref.files.output_file import check_writable

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from eval.image_energy import image_energy
+from eval.metrics.image_energy import image_energy
 from eval.scenes import load_scene
 from stylit_ref import Params, stylize
 

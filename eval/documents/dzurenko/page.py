@@ -1,0 +1,169 @@
+"""The report on chapters 4 and 5: every table and figure."""
+
+import hashlib
+import json
+from pathlib import Path
+
+import pandas as pd
+from tqdm import tqdm
+
+from eval.documents.dzurenko import pictures, printed, tables
+from eval.documents.dzurenko.claims import claims
+from eval.metrics import definitions
+from eval.pages.page import is_up_to_date, new_report
+from eval.pages.tables import formatted_with_spread
+from eval.provenance import provenance
+from eval.runs.store import numbers_of, stored
+from stylit_ref.machine.code_digest import code_digest
+
+
+def write_page(plan, folder):
+    """Write the report: its page, figures and a CSV of every table.
+
+    Parameters
+    ----------
+    plan : Plan
+        Its runs stored.
+    folder : Path
+
+    Returns
+    -------
+    bool
+        False if the report there is made of the same runs by the same code and was left alone.
+    """
+    inputs = _inputs(plan)
+    if is_up_to_date(folder, inputs):
+        return False
+    with new_report(folder, inputs) as report:
+        similarities = {target: tables.similarity_table(plan, target) for target in plan.scenes}
+        sections = [_preface(plan), *_claims(claims(plan, similarities), report)]
+        for target in tqdm(plan.scenes, unit="target", disable=None):
+            sections += _target(plan, target, similarities[target], report)
+        sections += _overall(plan, report)
+        sections += [
+            "## What the numbers are",
+            definitions(tables.MEASURES),
+            tables.SIMILARITY_DEFINITIONS,
+        ]
+        report.page(f"Chapters 4 and 5 of the thesis, preset {plan.name}", sections)
+    return True
+
+
+def _preface(plan):
+    scene = plan.scenes[plan.background]
+    made = sorted({stored(job).made for job in plan.jobs})
+    seeds = ", ".join(
+        f"{target} {' '.join(map(str, seeds))}" for target, seeds in plan.seeds.items()
+    )
+    return (
+        f"Our scenes at {scene.size}, the thesis' configuration (4.1): patch width 5, 6 levels "
+        "(fewer where the image is too small), 6 votes, 6 PatchMatch iterations, μ = 2; λ = 10000 "
+        f"where none is said. Seeds: {seeds}; times are of the first. Published times are of a "
+        "GeForce GTX 660, StyLit's of four threads of a CPU, at 1200x912: compare ratios, not "
+        "seconds. Our times are of the synthesis, kernels compiled before, on:\n\n"
+        + "\n".join(f"- {line}" for line in made)
+        + f"\n\nReport: {provenance()}"
+    )
+
+
+def _claims(found, report):
+    errata = printed.errata()
+    return [
+        "## What the thesis says, and what we found",
+        *(
+            f"- **{row.claim}** ({row.section}): **{row.verdict}**. {row.evidence}. "
+            f"*Held if {row.rule}.*"
+            for row in found.itertuples()
+        ),
+        report.csv("claims", found),
+        "### Errata",
+        "Rows of the published tables whose ratio does not follow from their times, rounding "
+        "allowed for:",
+        report.table("errata", errata, tables.formatted_times(errata)),
+    ]
+
+
+def _target(plan, target, similarity, report):
+    lambda_times, epsilon_times = (
+        make(plan, target) for make in (tables.lambda_times, tables.epsilon_times)
+    )
+    quality = tables.quality_table(plan, target)
+    known = target in printed.TARGETS
+    figures = [
+        f" ({printed.figure(numbers, target)})" if known else ""
+        for numbers in (printed.LAMBDA, printed.EPSILON)
+    ]
+
+    def figure(name, symbol, draw):
+        caption, alone = f"{symbol} on {target}", target == plan.background
+        return report.figure(f"{name}_{target}", caption, draw, plan, target, committed=alone)
+
+    return [
+        f"## {target}",
+        f"### λ{figures[0]}",
+        figure("lambda", "λ", pictures.lambda_figure),
+        report.table(f"lambda_times_{target}", lambda_times, tables.formatted_times(lambda_times)),
+        f"### ε{figures[1]}",
+        figure("epsilon", "ε", pictures.epsilon_figure),
+        report.table(
+            f"epsilon_times_{target}", epsilon_times, tables.formatted_times(epsilon_times)
+        ),
+        report.table(
+            f"similarity_{target}",
+            similarity,
+            formatted_with_spread(similarity, tables.SIMILARITIES),
+        ),
+        f"### Quality on {target}",
+        report.table(f"quality_{target}", quality, formatted_with_spread(quality, tables.MEASURES)),
+    ]
+
+
+def _overall(plan, report):
+    def figure(name, caption, draw):
+        return report.figure(name, caption, draw, plan, committed=True)
+
+    shared = tables.shared_memory(plan)
+    sections = [
+        "## All targets",
+        "### Time and quality",
+        figure("trends", "time and quality against λ and ε", pictures.trends_figure),
+        "### Energy",
+        figure("energy", "mean φ by iteration", pictures.energy_figure),
+        "### Shared memory (5.1.3)",
+        report.table("shared_memory", shared, tables.formatted_times(shared)),
+    ]
+    if not any(plan.gpu_records(target) for target in plan.scenes):
+        ptx = pd.read_csv(CHECKOUT / "reports" / "ptx" / "ptx.csv")
+        ptx = ptx[ptx["kernel"].str.match(r"(propagation|random_search)(, shared)?$")]
+        sections += [
+            "No GPU was at hand, so there are no times of ours. What is known without one: in "
+            "Numba's simulator both kernels give the same bytes, and the assembler says of them:",
+            report.table("shared_memory_ptx", ptx, ptx),
+        ]
+    return [
+        *sections,
+        f"## Background: {plan.background}",
+        "### Other methods (1.1)",
+        figure("background", "methods compared", pictures.background_figure),
+        "(d) is Hertzmann et al. 2001 with the first guide alone, as in the thesis; (g) is StyLit "
+        "with every patch of the style used alike, in the manner of Jamriška et al. 2015.",
+        "### Coarse to fine (2.3)",
+        figure("pyramid", "B' as it leaves each level", pictures.pyramid_figure),
+    ]
+
+
+CHECKOUT = Path(__file__).parents[3]
+
+_CODE = code_digest(__file__)
+
+
+def _inputs(plan):
+    """Identifies everything a report is made of."""
+    digest = hashlib.sha256()
+    published = Path(__file__).parent.glob("published/*.csv")
+    for file in sorted([*published, *(CHECKOUT / "reports" / "ptx").glob("*.csv")]):
+        digest.update(file.read_bytes())
+    runs = [(job.key, sorted(numbers_of(job).items())) for job in plan.jobs]
+    records = [plan.gpu_records(target) for target in plan.scenes]
+    digest.update(json.dumps([plan.name, runs, records, _CODE]).encode())
+    return digest.hexdigest()

@@ -1,0 +1,111 @@
+"""The methods of the library itself."""
+
+import time
+from dataclasses import asdict, dataclass, field, replace
+
+import numpy as np
+import pandas as pd
+
+from eval.device import device
+from eval.outcome import Outcome
+from stylit_ref.machine.code_digest import code_digest
+from stylit_ref.machine.profiling import Profile
+from stylit_ref.stylization.params import Params
+from stylit_ref.stylization.stylize import stylize
+
+_CODE = code_digest(__file__, without=("gpu_cuda",))
+_CODE_ON_GPU = code_digest(__file__)
+
+
+@dataclass(frozen=True)
+class StylitRef:
+    """A run of :func:`stylit_ref.stylize`.
+
+    Attributes
+    ----------
+    params : Params
+    backend : {"cpu", "cuda"}
+    """
+
+    params: Params = field(default_factory=Params)
+    backend: str = "cpu"
+
+    @property
+    def name(self):
+        """The method and the parameter that is varied."""
+        settings = {
+            "guide_map": f"ε = {self.params.epsilon:g}",
+            "stylit": str(self.params.budget),
+        }
+        setting = settings.get(self.params.method, f"λ = {self.params.uniformity:g}")
+        return f"{self.params.method}, {setting}"
+
+    @property
+    def code(self):
+        """Digest of the algorithms, and of the CUDA kernels where they run."""
+        return _CODE if self.backend == "cpu" else _CODE_ON_GPU
+
+    @property
+    def device(self):
+        """Name of the processor or the GPU."""
+        return device(self.backend)
+
+    @property
+    def cost(self):
+        """StyLit's retrievals are searches of their own."""
+        return 6.0 if self.params.method == "stylit" else 1.0
+
+    def run(self, scene, seed, progress=None):
+        """Stylize a scene with kernels that are compiled.
+
+        Parameters
+        ----------
+        scene : Scene
+        seed : int
+        progress : callable, optional
+            As for :func:`stylit_ref.stylize`.
+
+        Returns
+        -------
+        Outcome
+        """
+        compile_kernels(scene, self.params, self.backend)
+        levels, profile = [], Profile()
+        start = time.perf_counter()
+        result = stylize(
+            scene.style,
+            scene.source_guides,
+            scene.target_guides,
+            self.params,
+            seed=seed,
+            backend=self.backend,
+            progress=progress,
+            on_level=lambda number, image: levels.append(image),
+            profile=profile,
+        )
+        seconds = time.perf_counter() - start
+        history = pd.DataFrame([asdict(step) for step in result.history])
+        if self.params.method == "stylit":  # no λρ is part of what it minimizes
+            history = history.drop(columns="penalization")
+        return Outcome(
+            image=result.image,
+            seconds=seconds,
+            nnf=result.nnf,
+            omega=result.omega,
+            guide_map=result.guide_maps[-1] if result.guide_maps else None,
+            levels=tuple(levels),
+            stages=profile.seconds,
+            history=history,
+        )
+
+
+def compile_kernels(scene, params, backend="cpu"):
+    """Run the same kernels on a corner of the scene, so that timings hold no compilation."""
+    corner = np.s_[: 4 * params.patch_width, : 4 * params.patch_width]
+    stylize(
+        scene.style[corner],
+        [guide[corner] for guide in scene.source_guides],
+        [guide[corner] for guide in scene.target_guides],
+        replace(params, levels=2, votes=1, patchmatch_iterations=1, uniformity=1e4),
+        backend=backend,
+    )

@@ -1,0 +1,40 @@
+"""What a method makes of a scene."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+import pandas as pd
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """A finished picture, and what else the method can tell of it.
+
+    Attributes
+    ----------
+    image : (H_B, W_B, n) uint8
+    seconds : float
+        Wall time of the method alone, its kernels compiled before.
+    nnf : (H_B, W_B, 2) int32, optional
+        Where in the source each pixel was taken from.
+    omega : (H_A, W_A) int32, optional
+        How often each pixel of the source was used.
+    guide_map : (H_B, W_B) bool, optional
+        Of the finest level.
+    levels : tuple of (H, W, n) uint8
+        The picture of every pyramid level, the coarsest first.
+    stages : dict of str to float
+        Seconds by stage.
+    history : pandas.DataFrame
+        A row for each step of the search, with ``delta`` and, where the method has it,
+        ``penalization``.
+    """
+
+    image: np.ndarray
+    seconds: float
+    nnf: np.ndarray | None = None
+    omega: np.ndarray | None = None
+    guide_map: np.ndarray | None = None
+    levels: tuple[np.ndarray, ...] = ()
+    stages: dict[str, float] = field(default_factory=dict)
+    history: pd.DataFrame = field(default_factory=pd.DataFrame)

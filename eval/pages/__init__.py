@@ -1,0 +1,1 @@
+"""What reports are made with: pages, tables, figures, options."""

@@ -1,0 +1,26 @@
+"""The numbers that most reports show of a run."""
+
+from eval.runs.local import numbers, run
+
+METRICS = ("energy", "image_energy", "usage", "sharpness")
+
+COLUMNS = (
+    "delta", "penalization", "phi", "image_energy", "distinct", "distinct_in_image", "coverage",
+    "peak", "sharpness", "richness",
+)  # fmt: skip
+
+
+def row(job):
+    """Do a run and measure it.
+
+    Parameters
+    ----------
+    job : Job
+
+    Returns
+    -------
+    dict of str to float
+        ``seconds``, and those of :data:`COLUMNS` that apply.
+    """
+    found = numbers(job, METRICS)
+    return {"seconds": run(job).seconds} | {name: found[name] for name in COLUMNS if name in found}

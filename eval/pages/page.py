@@ -1,0 +1,197 @@
+"""Reports: Markdown, a page for the browser, and a CSV of every table, whole or not at all.
+
+Every report goes to a folder of its own in ``build/reports``. What of it is committed, the report
+says itself; :mod:`eval.reports.publish` copies it.
+"""
+
+import base64
+import json
+import re
+import shutil
+from contextlib import contextmanager
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from markdown_it import MarkdownIt
+
+from eval.pages.tables import table
+
+BUILT = Path("build/reports")
+"""Where reports are written."""
+
+COMMITTED = Path("reports")
+"""Where the slim copies lie that are committed."""
+
+RECORD = "report.json"
+"""File of a report that says what it was made of, its files, and which of them to commit."""
+
+_PARTIAL = ".partial_"
+
+_PAGE = """<!doctype html>
+<html lang="en">
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>{title}</title>
+<style>
+body {{ font: 16px/1.5 sans-serif; max-width: 75rem; margin: 2rem auto; padding: 0 1rem }}
+img {{ max-width: 100%; cursor: zoom-in }}
+img.large {{ max-width: none; cursor: zoom-out }}
+p:has(img), div.table {{ overflow-x: auto }}
+table {{ border-collapse: collapse; font-size: .85em }}
+th, td {{ border-bottom: 1px solid #ccc; padding: .2rem .6rem; text-align: right }}
+th:first-child, td:first-child {{ text-align: left }}
+</style>
+{body}
+<script>
+document.addEventListener("click", event => {{
+  if (event.target.tagName === "IMG") event.target.classList.toggle("large");
+}});
+</script>
+</html>
+"""
+
+
+class Report:
+    """A report in the making: its files, and the Markdown that shows them.
+
+    Parameters
+    ----------
+    folder : Path
+    """
+
+    def __init__(self, folder):
+        self.folder, self.files, self.committed = folder, [], []
+
+    def figure(self, name, caption, draw, *arguments, committed=False):
+        """Draw a figure to a file.
+
+        Parameters
+        ----------
+        name, caption : str
+        draw : callable
+            Called with ``arguments`` and the file.
+        committed : bool
+            Whether the figure is among the few of the committed copy.
+
+        Returns
+        -------
+        str
+            Markdown that shows it.
+        """
+        file = f"{name}.webp"
+        draw(*arguments, self.folder / file)
+        self._add(file, committed)
+        return f"![{caption}]({file})"
+
+    def table(self, name, numbers, shown):
+        """Write a table's numbers as CSV; returns Markdown with its text."""
+        return f"{table(shown)}\n\n{self.csv(name, numbers)}"
+
+    def csv(self, name, numbers):
+        """Write a table's numbers as CSV; returns Markdown that links them."""
+        file = f"{name}.csv"
+        numbers.to_csv(self.folder / file, index=False)
+        self._add(file, True)
+        return f"[{file}]({file})"
+
+    def page(self, title, sections):
+        """Write ``report.md`` and ``report.html``, which has its figures within.
+
+        Parameters
+        ----------
+        title : str
+        sections : iterable of str
+            Markdown blocks.
+        """
+        text = "\n\n".join([f"# {title}", *sections]) + "\n"
+        (self.folder / "report.md").write_text(text, encoding="utf-8")
+        page = re.sub(r'src="([^"]+\.webp)"', self._embedded, html_page(title, text))
+        (self.folder / "report.html").write_text(page, encoding="utf-8")
+        self._add("report.md", True)
+        self._add("report.html", False)
+
+    def _add(self, file, committed):
+        self.files.append(file)
+        if committed:
+            self.committed.append(file)
+
+    def _embedded(self, match):
+        data = base64.b64encode((self.folder / match[1]).read_bytes()).decode()
+        return f'src="data:image/webp;base64,{data}"'
+
+
+@contextmanager
+def new_report(folder, inputs=None):
+    """Make a report in a folder beside the last one, which it replaces when it is whole.
+
+    Parameters
+    ----------
+    folder : Path
+    inputs : str, optional
+        Identifies everything the report is made of (:func:`is_up_to_date`).
+
+    Yields
+    ------
+    Report
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    for killed in folder.glob(f"{_PARTIAL}*"):
+        shutil.rmtree(killed)
+    with TemporaryDirectory(prefix=_PARTIAL, dir=folder) as partial:
+        report = Report(Path(partial))
+        yield report
+        write_record(report.folder, report.files, report.committed, inputs)
+        for file in (*read_record(folder)["files"], RECORD):
+            (folder / file).unlink(missing_ok=True)
+        for file in (*report.files, RECORD):  # the record last: without it the report is made again
+            (report.folder / file).replace(folder / file)
+
+
+def write_record(folder, files, committed, inputs=None):
+    """Keep what a report says of itself."""
+    record = {"inputs": inputs, "files": files, "committed": committed}
+    (folder / RECORD).write_text(json.dumps(record, indent=1) + "\n", encoding="utf-8")
+
+
+def read_record(folder):
+    """What a report says of itself: ``inputs``, ``files``, ``committed``; nothing without one."""
+    try:
+        record = json.loads((folder / RECORD).read_text(encoding="utf-8"))
+        names = {part: list(map(str, record[part])) for part in ("files", "committed")}
+        if all(Path(name).name == name for part in names.values() for name in part):
+            return {"inputs": record["inputs"], **names}
+    except (OSError, ValueError, KeyError, TypeError):
+        pass
+    return {"inputs": None, "files": [], "committed": []}
+
+
+def is_up_to_date(folder, inputs):
+    """Whether the report there is whole and made of these inputs."""
+    record = read_record(folder)
+    return record["inputs"] == inputs and all((folder / file).exists() for file in record["files"])
+
+
+def html_page(title, text):
+    """A page for the browser, readable on a phone; images enlarge when they are clicked.
+
+    Parameters
+    ----------
+    title, text : str
+        The text in Markdown.
+
+    Returns
+    -------
+    str
+    """
+    body = MarkdownIt("commonmark").enable("table").render(text)
+    body = body.replace("<table>", '<div class="table"><table>').replace(
+        "</table>", "</table></div>"
+    )
+    return _PAGE.format(title=title, body=body)
+
+
+def shown(folder):
+    """Print a report and where it lies; returns the exit code."""
+    print((folder / "report.md").read_text(encoding="utf-8"))
+    print(f"Written: {folder / 'report.html'}")
+    return 0

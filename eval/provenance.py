@@ -1,0 +1,41 @@
+"""Which machine, which versions and which commit made a number."""
+
+import platform
+import subprocess
+from datetime import date
+from pathlib import Path
+
+import numba
+
+from eval.device import processor
+from stylit_ref import __version__
+
+
+def provenance():
+    """One line that says which machine and which commit made a report."""
+    return (
+        f"stylit-ref {__version__}, commit {_COMMIT}; {processor()}, "
+        f"{numba.config.NUMBA_NUM_THREADS} threads; Python {platform.python_version()}, "
+        f"numba {numba.__version__}; {date.today().isoformat()}"
+    )
+
+
+def _commit():
+    """Commit of the checkout; reports themselves do not count as changes."""
+    try:
+        commit = _git("rev-parse", "--short", "HEAD")
+        changed = _git("status", "--porcelain", "--untracked-files=no", "--", ".", ":!reports")
+    except (OSError, subprocess.CalledProcessError):
+        return "unknown"
+    return f"{commit} with changes" if changed else commit
+
+
+def _git(*arguments):
+    """What git says of the checkout this file is in."""
+    checkout = Path(__file__).parents[1]
+    command = ["git", "-C", checkout, *arguments]
+    return subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip()
+
+
+# Taken at the start: what is edited or committed during a long report did not make it.
+_COMMIT = _commit()

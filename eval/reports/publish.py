@@ -1,0 +1,128 @@
+"""The slim copies of reports that are committed.
+
+Of a report in ``build/reports`` it takes what the report's record lists: the page without its
+other figures, the CSVs, and the chosen figures, each made small enough.
+"""
+
+import io
+import re
+import shutil
+
+from PIL import Image
+
+from eval.pages.page import BUILT, COMMITTED, RECORD, read_record
+from stylit_ref import InputError
+
+MOST_BYTES = 250_000
+"""Of a committed figure."""
+
+MOST_PIXELS = 2000
+"""Width of a committed figure."""
+
+
+def add_options(parser):
+    """Declare what the command may be told."""
+    parser.add_argument(
+        "names", nargs="*", metavar="NAME",
+        help=f"folders of {BUILT} (default: those of which a copy is committed already)",
+    )  # fmt: skip
+
+
+def main(options):
+    """Copy; returns the exit code."""
+    for folder in publish(options.names):
+        print(f"Written: {folder}")
+    return 0
+
+
+def publish(names=()):
+    """Copy reports to where they are committed.
+
+    Parameters
+    ----------
+    names : sequence of str
+        Folders of ``build/reports``. By default those of which a copy is committed already.
+
+    Returns
+    -------
+    list of Path
+        The folders written.
+
+    Raises
+    ------
+    InputError
+        If a report is not there, or none is.
+    """
+    names = names or sorted(
+        folder.name for folder in COMMITTED.glob("*/") if (BUILT / folder.name / RECORD).exists()
+    )
+    if not names:
+        raise InputError(f"{BUILT}: none of the committed reports is here; make one first")
+    for name in names:
+        if not (BUILT / name / RECORD).exists():
+            raise InputError(f"{BUILT / name}: is not a finished report; make it first")
+    return [_publish(BUILT / name, COMMITTED / name) for name in names]
+
+
+def _publish(built, folder):
+    """Replace the copy of a report."""
+    files = read_record(built)["committed"]
+    if folder.exists():
+        shutil.rmtree(folder)
+    folder.mkdir(parents=True)
+    for file in files:
+        if file.endswith(".webp"):
+            (folder / file).write_bytes(small_figure(built / file))
+        elif file.endswith(".md"):
+            text = (built / file).read_text(encoding="utf-8")
+            (folder / file).write_text(only_figures(text, files), encoding="utf-8")
+        else:
+            shutil.copyfile(built / file, folder / file)
+    return folder
+
+
+def only_figures(text, files):
+    """A page without the figures that are not among some files.
+
+    Parameters
+    ----------
+    text : str
+        Markdown; a figure is a paragraph of its own.
+    files : sequence of str
+
+    Returns
+    -------
+    str
+    """
+    paragraphs = text.split("\n\n")
+    shown = (re.fullmatch(r"!\[[^\]]*\]\(([^)]*)\)", paragraph) for paragraph in paragraphs)
+    return "\n\n".join(
+        paragraph
+        for paragraph, figure in zip(paragraphs, shown, strict=True)
+        if not figure or figure[1] in files
+    )
+
+
+def small_figure(file):
+    """A figure as WebP of at most :data:`MOST_BYTES`; one that is small already, as it is.
+
+    Parameters
+    ----------
+    file : Path
+
+    Returns
+    -------
+    bytes
+    """
+    if file.suffix == ".webp" and file.stat().st_size <= MOST_BYTES:
+        return file.read_bytes()
+    image = Image.open(file).convert("RGB")
+    width = min(image.width, MOST_PIXELS)
+    while True:
+        scaled = image.resize((width, round(image.height * width / image.width)), Image.LANCZOS)
+        for quality in (80, 65):  # below, letters blur more than by fewer pixels
+            encoded = io.BytesIO()
+            scaled.save(encoded, "WEBP", quality=quality, method=6)
+            if encoded.tell() <= MOST_BYTES:
+                return encoded.getvalue()
+        width = round(0.9 * width)

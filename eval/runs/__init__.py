@@ -1,0 +1,1 @@
+"""Runs and their numbers: what is computed once is not computed again."""

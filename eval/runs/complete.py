@@ -1,0 +1,55 @@
+"""Do what is not stored yet; every finished run is kept at once."""
+
+import traceback
+from typing import NamedTuple
+
+from tqdm import tqdm
+
+from eval.metrics import METRICS
+from eval.runs.cluster import do_on_cluster
+from eval.runs.job import Job
+from eval.runs.local import do_here
+from eval.runs.store import store, store_numbers, stored, stored_numbers
+
+
+class Task(NamedTuple):
+    """A run, and the names of what is measured of it."""
+
+    job: Job
+    metrics: tuple[str, ...] = tuple(METRICS)
+
+
+def complete(tasks, scheduler=None):
+    """Do what of some tasks is not stored yet.
+
+    Parameters
+    ----------
+    tasks : sequence of Task
+    scheduler : str, optional
+        Address of a Dask scheduler.
+
+    Returns
+    -------
+    dict of str to str
+        Title of every run that failed, and the last line of what went wrong.
+    """
+    missing = [task for task in tasks if not _is_done(task)]
+    if not missing:
+        return {}
+    failures = {}
+    total = sum(task.job.cost for task in missing)
+    bar_format = "{percentage:3.0f}% |{bar}| {elapsed}<{remaining}  {desc}"
+    with tqdm(total=total, bar_format=bar_format, disable=None) as bar:
+        finished = do_on_cluster(missing, scheduler, bar) if scheduler else do_here(missing, bar)
+        for task, outcome in finished:
+            if isinstance(outcome, BaseException):
+                failures[task.job.title] = traceback.format_exception_only(outcome)[-1].strip()
+            else:
+                result, numbers = outcome
+                store(task.job, result)
+                store_numbers(task.job, numbers)
+    return failures
+
+
+def _is_done(task):
+    return stored(task.job) is not None and stored_numbers(task.job).keys() >= set(task.metrics)

@@ -1,1 +1,0 @@
-"""The thesis' tables, figures and claims, on our scenes and beside the published numbers."""
