@@ -14,7 +14,7 @@ from stylit_ref.formulae.guide_map import scaled_variance
 from stylit_ref.formulae.patch_penalization import penalization
 from stylit_ref.machine.vector_ssd import LANES
 from stylit_ref.metric.fast_metric import make_delta_bound
-from stylit_ref.metric.lower_bound import LINE_LANES
+from stylit_ref.metric.lower_bound import LINE_MOMENTS
 from stylit_ref.metric.packing import make_packing, occurrence_weight
 from stylit_ref.randomness.commit_classes import commit_order
 from stylit_ref.randomness.philox import philox4x32
@@ -70,7 +70,7 @@ def is_offered(stage, passes):
         return True
     if stage not in NEEDS or not all(hasattr(passes, name) for name in NEEDS[stage]):
         return False
-    return stage != "lower_bound" or passes.moments_storage(1, 1, LINE_LANES) is not None
+    return stage != "lower_bound" or passes.moments_storage(1, 1, LINE_MOMENTS) is not None
 
 
 def run_case(stage, parameters, arrays, passes):
