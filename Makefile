@@ -1,5 +1,5 @@
 # make eval   install and regenerate the thesis' tables and figures: PRESET=quick or thesis
-# make test   install and run the tests
+# make test   install and run the tests; make test-fast the quick ones
 # make help   the other targets
 
 PYTHON ?= python3
@@ -13,7 +13,7 @@ ARGS ?=
 WORKERS ?= 2
 PYTHONS ?= 3.11 3.12 3.13 3.14
 
-.PHONY: eval schedules epsilon stylit spilling bench scenes test test-gpu ptx docs wheel lowest lint data help clean
+.PHONY: eval schedules epsilon stylit spilling bench scenes test test-fast test-gpu ptx docs wheel lowest lint data help clean
 
 eval: $(VENV)/$(if $(SCHEDULER),cluster,eval).installed ## tables and figures of the thesis: PRESET, SCHEDULER, ARGS="--scene DIR"
 	$(BIN)/python -m eval thesis --preset "$(PRESET)" $(if $(SCHEDULER),--scheduler "$(SCHEDULER)") $(ARGS)
@@ -44,6 +44,9 @@ data: $(VENV)/render.installed ## render scenes and styles: SIZE=1200x912, SCENE
 test: $(VENV)/test.installed ## all tests; those of the CUDA kernels in Numba's simulator
 	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal $(ARGS)
 	NUMBA_ENABLE_CUDASIM=1 $(BIN)/python -m pytest -n $(WORKERS) tests/gpu_cuda
+
+test-fast: $(VENV)/test.installed ## the tests that take less than a minute together, kernels compiled
+	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal -m "not slow" $(ARGS)
 
 test-gpu: $(VENV)/gpu.installed $(VENV)/test.installed ## tests of the CUDA kernels on a GPU, and its times
 	$(BIN)/python -m pytest tests/gpu_cuda

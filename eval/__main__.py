@@ -17,6 +17,7 @@ from eval.thesis.evaluation import evaluate
 from eval.thesis.plan import PRESETS, own_scene, preset
 from stylit_ref import InputError
 from stylit_ref.machine.interruption import heed_interruptions
+from stylit_ref.machine.threads import sleep_while_waiting
 from stylit_ref.stylization.backends import BACKENDS
 
 REPORTS_ON_A_SCENE = {
@@ -116,4 +117,5 @@ def _thesis(options):
 
 if __name__ == "__main__":
     heed_interruptions()
+    sleep_while_waiting()
     sys.exit(main())

@@ -14,9 +14,10 @@ from eval.report import table, write_report
 from eval.runs import compile_kernels, run
 from eval.similarity import psnr, ssim
 from eval.spilling import spilling
-from eval.synthesis import synthesis
 from eval.unbounded_search import UNBOUNDED
 from stylit_ref import Params, passes
+from stylit_ref.stylization.backends import Backend
+from stylit_ref.stylization.problem import make_synthesis
 
 EPSILONS = (3, 5, 10, 25, 100, 500, 5000, 10000)
 BEYOND = 50000
@@ -141,7 +142,8 @@ def _costs(scene, seed):
 def _synthesis(scene, params, module, seed):
     """Seconds and NNF of a synthesis with the given module of passes."""
     start = time.perf_counter()
-    level = synthesis(scene.style, scene.source_guides, scene.target_guides, params, module, seed)
+    images = scene.style, scene.source_guides, scene.target_guides
+    level = make_synthesis(*images, params, seed=seed, backend=Backend(module)).finish()
     return time.perf_counter() - start, level.nnf
 
 

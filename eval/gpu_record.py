@@ -10,25 +10,25 @@ import re
 import statistics
 import sys
 import time
-from dataclasses import replace
 from pathlib import Path
-from types import SimpleNamespace
 
 import numpy as np
 from tqdm import tqdm
 
 import gpu_cuda
 from eval.circumstances import circumstances
-from eval.synthesis import synthesis
 from gpu_cuda.host import doctor
 from gpu_cuda.host.device import kernel_times
 from gpu_cuda.metric import launch_search
 from gpu_cuda.propagation import make_kernel as make_propagation_kernel
 from gpu_cuda.random_search import make_kernel as make_random_search_kernel
-from gpu_cuda.variants import launched_commit, shared_memory
-from stylit_ref import InputError, Params, passes
+from gpu_cuda.variants import launched_commit, live, shared_memory
+from stylit_ref import InputError, Params
 from stylit_ref.files.output_file import write_text
 from stylit_ref.formulae.search_radii import number_of_radii
+from stylit_ref.machine.replaced import replaced
+from stylit_ref.stylization.backends import Backend
+from stylit_ref.stylization.problem import make_synthesis
 
 UNIFORMITIES = (0, 5000, 10000)
 RUNS = 3
@@ -53,7 +53,6 @@ def in_blocks(block, shared):
     shared : bool
         Whether a block's target patches lie in shared memory.
     """
-    others = {name: getattr(gpu_cuda, name) for name in gpu_cuda.__all__}
 
     def propagation(*search):
         launch_search(make_propagation_kernel, *search, block=block, shared=shared)
@@ -64,33 +63,32 @@ def in_blocks(block, shared):
             make_random_search_kernel, textures, *search, radii, block=block, shared=shared
         )
 
-    others |= {"propagation": propagation, "random_search": random_search}
-    return SimpleNamespace(__all__=gpu_cuda.__all__, **others)
+    return replaced(gpu_cuda, propagation=propagation, random_search=random_search)
 
 
 SETTINGS = (
     {
-        f"{name}, λ = {uniformity}": (replace(params, uniformity=uniformity), module)
+        f"{name}, λ = {uniformity}": (Params(uniformity=uniformity), backend)
         for uniformity in UNIFORMITIES
-        for name, params, module in (
-            ("propose_commit", Params(), gpu_cuda),
-            ("live", Params(schedule="live"), gpu_cuda),
-            ("live with W", Params(schedule="live_sums"), gpu_cuda),
-            ("shared memory", Params("shared_memory"), shared_memory),
+        for name, backend in (
+            ("propose_commit", Backend(gpu_cuda)),
+            ("live", Backend(gpu_cuda, live.live)),
+            ("live with W", Backend(gpu_cuda, live.live_sums)),
+            ("shared memory", Backend(shared_memory)),
         )
     }
-    | {"guide_map, ε = 100": (Params("guide_map", epsilon=100.0), gpu_cuda)}
-    | {"a launch for each step of a commit": (Params(), launched_commit)}
+    | {"guide_map, ε = 100": (Params("guide_map", epsilon=100.0), Backend(gpu_cuda))}
+    | {"a launch for each step of a commit": (Params(), Backend(launched_commit))}
     | {
         f"blocks of {columns}x{rows}{', shared memory' * shared}": (
             Params(),
-            in_blocks((columns, rows), shared),
+            Backend(in_blocks((columns, rows), shared)),
         )
         for columns, rows in ((16, 16), (32, 32))
         for shared in (False, True)
     }
 )
-"""Params and module of passes of every whole run; without λ in the name it is the default."""
+"""Params and backend of every whole run; without λ in the name it is the default."""
 
 
 def record(style, source_guides, target_guides, settings):
@@ -114,28 +112,26 @@ def record(style, source_guides, target_guides, settings):
     parts = "identical to the CPU", "seconds", "search [s]", "energy", "kernels [s]"
     found = {"size": f"{width}x{height}"} | {part: {} for part in parts}
     on_cpu = {}
-    for name, (params, module) in tqdm(settings.items(), unit="setting", disable=None):
+    for name, (params, backend) in tqdm(settings.items(), unit="setting", disable=None):
         seconds = []
         for _ in range(1 + RUNS):  # the first compiles
             start = time.perf_counter()
-            level = synthesis(*scene, params, module)
-            nnf, image = module.download(level.nnf), level.style
+            level = make_synthesis(*scene, params, backend=backend).finish()
+            nnf, image = backend.passes.download(level.nnf), level.style
             seconds.append(time.perf_counter() - start)
         found["seconds"][name] = statistics.median(seconds[1:])
         level.init_occurrence_map()
         found["energy"][name] = level.energy()
-        if params.schedule == "propose_commit":
-            method = "ref" if params.method == "shared_memory" else params.method
-            same = replace(params, method=method)
-            if same not in on_cpu:
-                on_cpu[same] = synthesis(*scene, same, passes)
+        if backend.iterate is None:
+            if params not in on_cpu:
+                on_cpu[params] = make_synthesis(*scene, params).finish()
             found["identical to the CPU"][name] = bool(
-                (nnf == on_cpu[same].nnf).all()
-                and (image == on_cpu[same].style).all()
-                and (module.download(level.omega) == on_cpu[same].omega).all()
+                (nnf == on_cpu[params].nnf).all()
+                and (image == on_cpu[params].style).all()
+                and (backend.passes.download(level.omega) == on_cpu[params].omega).all()
             )
         with kernel_times() as times:
-            synthesis(*scene, params, module)
+            make_synthesis(*scene, params, backend=backend).finish()
         found["kernels [s]"][name] = {
             kernel: {"seconds": sum(seconds), "launches": len(seconds)}
             for kernel, seconds in times.items()

@@ -5,10 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from eval.scenes import Scene
-from stylit_ref import Params, passes
-from stylit_ref.metric.packing import ONE, make_packing
-from stylit_ref.randomness.random_stream import RANDOM_NNF, random_stream
-from stylit_ref.stylization.level import Level
+from stylit_ref import Params
+from stylit_ref.metric.packing import ONE
+from stylit_ref.stylization.problem import make_synthesis
 from stylit_ref.stylization.schedules import propose_commit
 
 ITERATIONS = 30
@@ -48,22 +47,19 @@ def image_energy(scene: Scene, image, patch_width=5, seed=1) -> ImageEnergy:
     -------
     ImageEnergy
     """
-    params = Params(patch_width=patch_width, uniformity=0)
-    channels = [guide.shape[2] for guide in scene.source_guides]
-    weights = [1.0] * len(channels)
-    packing = make_packing(channels, scene.style.shape[2], params.guide_influence, weights)
-    source = packing.pack(scene.source_guides, scene.style)
-    target = packing.pack(scene.target_guides, image)
-    level = Level(passes, packing, params, source, target, np.ones(target.shape[:2], bool))
-    stream = random_stream(seed, RANDOM_NNF, 1)
-    passes.random_nnf(level.nnf, patch_width, *source.shape[:2], stream)
-    level.update_similarity()
+    params = Params(patch_width=patch_width, uniformity=0, levels=1)
+    synthesis = make_synthesis(
+        scene.style, scene.source_guides, scene.target_guides, params, seed=seed
+    )
+    level = synthesis.begin_level(1)
+    level.set_style(image)
+    level.update_moments()
     for iteration in range(1, ITERATIONS + 1):
         propose_commit(level, seed, 1, 1, iteration)
     radius = patch_width // 2
     interior = np.s_[radius:-radius, radius:-radius]
     centres = level.nnf[interior].reshape(-1, 2)
-    flat = np.ravel_multi_index(centres.T, source.shape[:2])
+    flat = np.ravel_multi_index(centres.T, scene.style.shape[:2])
     return ImageEnergy(
         mean=float(level.delta[interior].mean() / ONE),
         distinct=np.unique(flat).size / flat.size,

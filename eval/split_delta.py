@@ -1,12 +1,8 @@
 """δ of a finished image, guides and style apart."""
 
-from dataclasses import replace
-
-import numpy as np
-
-from stylit_ref import Params, passes
-from stylit_ref.metric.packing import ONE, make_packing
-from stylit_ref.stylization.level import Level
+from stylit_ref import Params
+from stylit_ref.metric.packing import ONE
+from stylit_ref.stylization.problem import make_synthesis
 
 
 def split_delta(scene, image, nnf, patch_width=5):
@@ -29,13 +25,12 @@ def split_delta(scene, image, nnf, patch_width=5):
 
 
 def _mean_delta(scene, image, nnf, patch_width, guide_influence):
-    params = replace(Params(), patch_width=patch_width, guide_influence=guide_influence)
-    channels = [guide.shape[2] for guide in scene.source_guides]
-    weights = [1.0] * len(channels)
-    packing = make_packing(channels, scene.style.shape[2], guide_influence, weights)
-    source = packing.pack(scene.source_guides, scene.style)
-    target = packing.pack(scene.target_guides, image)
-    level = Level(passes, packing, params, source, target, np.ones(nnf.shape[:2], bool))
+    params = Params(
+        patch_width=patch_width, guide_influence=guide_influence, uniformity=0, levels=1
+    )
+    level = make_synthesis(
+        scene.style, scene.source_guides, scene.target_guides, params
+    ).begin_level(1)
     level.nnf[:] = nnf
-    level.update_similarity()
+    level.set_style(image)
     return float(level.delta.mean() / ONE)

@@ -1,13 +1,13 @@
 """Random search and its δ without the exact lower bound: what the bound saves, measured."""
 
 from functools import lru_cache
-from types import SimpleNamespace
 
 from numba import prange
 
 from stylit_ref import passes
 from stylit_ref.formulae.candidates import random_candidate
 from stylit_ref.machine.kernel import kernel
+from stylit_ref.machine.replaced import replaced
 from stylit_ref.metric.fast_metric import make_bounded_metric
 from stylit_ref.metric.textures import metric_constants
 from stylit_ref.randomness.random_stream import random_words
@@ -59,7 +59,5 @@ def random_search(
     run(textures, omega_sums, occurrence_weight, nnf, delta, new_nnf, new_delta, stream)
 
 
-UNBOUNDED = SimpleNamespace(
-    **{name: getattr(passes, name) for name in passes.__all__} | {"random_search": random_search}
-)
+UNBOUNDED = replaced(passes, random_search=random_search)
 """The passes with this search in the place of theirs."""

@@ -1,41 +1,54 @@
-"""``python -m oracle make``: write the cases of the newest version, until it is published."""
+"""``python -m oracle``: the checker, where the cases lie, and the making of a new version."""
 
 import argparse
-import shutil
+import signal
 import sys
 
-from tqdm import tqdm
-
-from oracle.cases import NEWEST, folder_of, write_case, write_digests
-from oracle.make import cases
+from oracle.command import add_commands, add_version, version_of
+from stylit_ref.errors import InputError
 
 
-def main(arguments=None):
-    """Write the newest version's cases; returns the exit code."""
-    parser = argparse.ArgumentParser(prog="python -m oracle", description=__doc__)
-    parser.add_argument("what", choices=["make"])
-    parser.parse_args(arguments)
-    folder = folder_of(NEWEST)
-    if (folder / "SHA256SUMS").exists():
-        print(
-            f"oracle: {folder.name} has its SHA256SUMS and never changes; add a version to "
-            "VERSIONS in oracle/cases.py",
-            file=sys.stderr,
-        )
+def main(arguments: list[str] | None = None) -> int:
+    """Run the command line; returns the exit code.
+
+    0 on success, 1 where a port differs, 2 for input that cannot be used, 130 when interrupted.
+    """
+    parser = argparse.ArgumentParser(
+        prog="python -m oracle",
+        description="Check a port of the algorithm against test vectors of every stage. A program, "
+        "or a module with run_case, is checked with NumPy alone.",
+        allow_abbrev=False,
+    )
+    commands = parser.add_subparsers(required=True, metavar="{check,cases,make}")
+    add_commands(commands)
+    make = commands.add_parser(
+        "make",
+        help="write the cases of a version, until it is published",
+        description="Write the cases of a version, until it is published.",
+        allow_abbrev=False,
+    )
+    make.set_defaults(command=_make)
+    add_version(make)
+    options = parser.parse_args(arguments)
+    try:
+        return options.command(options)
+    except InputError as error:
+        flag = f"--{error.parameter} " if error.parameter else ""
+        print(f"oracle: {flag}{error.sentence}", file=sys.stderr)
         return 2
-    if not (folder / "case.schema.json").exists():
-        print(
-            f"oracle: {folder} needs its case.schema.json; begin with that of the version before",
-            file=sys.stderr,
-        )
-        return 2
-    for stage in folder.glob("*/"):
-        shutil.rmtree(stage)
-    for case in tqdm(cases(), unit="case", disable=None):
-        write_case(case)
-    write_digests(NEWEST)
+    except KeyboardInterrupt:
+        print("oracle: interrupted; no half-written file is left", file=sys.stderr)
+        return 130
+
+
+def _make(options):
+    from oracle.make import make_version  # needs all that the library needs
+
+    make_version(version_of(options))
     return 0
 
 
 if __name__ == "__main__":
+    if signal.getsignal(signal.SIGTERM) is not signal.SIG_IGN:
+        signal.signal(signal.SIGTERM, signal.default_int_handler)
     sys.exit(main())

@@ -3,46 +3,10 @@
 import hashlib
 import json
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 
-VERSIONS = ("v1",)
-"""A version never changes; what would change it is the next one."""
-
-NEWEST = VERSIONS[-1]
-
-SECTIONS = {
-    "philox": "4",
-    "weights": "2",
-    "random_nnf": "5",
-    "downsample": "6",
-    "upsample_nnf": "6",
-    "occurrence": "1",
-    "delta": "3",
-    "phi": "3",
-    "guide_map": "12",
-    "white_delta": "12",
-    "propagation": "7",
-    "random_search": "8",
-    "commit_order": "9",
-    "commit": "9",
-    "iteration": "10",
-    "vote": "11",
-    "level": "13",
-    "run": "13",
-    "lower_bound": "16",
-    "budget": "14",
-    "knee": "14",
-    "invert_nnf": "15",
-    "settle": "15",
-    "stylit_search": "15",
-    "stylit_run": "15",
-}
-"""Section of SPEC.md of every stage. In an order in which a stage needs only those before it: the
-first that fails is the one to mend."""
-
-STAGES = tuple(SECTIONS)
+from oracle.families import folder_of, stages_of
 
 
 class CaseError(Exception):
@@ -56,10 +20,10 @@ class Case:
     Attributes
     ----------
     version : str
-        One of :data:`VERSIONS`.
+        As :class:`oracle.families.Family` has it.
     stage, name : str
     section : str
-        Of SPEC.md.
+        Of the version's SPEC.md.
     parameters : dict
         Numbers, text and lists.
     tolerances : dict of str to float
@@ -80,17 +44,6 @@ class Case:
     def title(self):
         """Stage and name."""
         return f"{self.stage}/{self.name}"
-
-
-def folder_of(version):
-    """Where the cases of a version lie."""
-    return Path(__file__).with_name(version)
-
-
-def spec_of(version):
-    """The text that the cases of a version pin: an older one's is kept among them."""
-    folder = folder_of(version)
-    return (folder.parent if version == NEWEST else folder) / "SPEC.md"
 
 
 def write_input(case, folder):
@@ -146,9 +99,9 @@ def damaged_files(version):
     return damaged
 
 
-def read_cases(version, stages=STAGES):
-    """The cases of some stages, in the order of the stages."""
-    for stage in stages:
+def read_cases(version, stages=None):
+    """The cases of some stages, or of all, in the order of the stages."""
+    for stage in stages_of(version) if stages is None else stages:
         for file in sorted((folder_of(version) / stage).glob("*/case.json")):
             description = json.loads(file.read_text(encoding="utf-8"))
             yield Case(

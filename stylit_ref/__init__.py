@@ -4,13 +4,18 @@
 """
 
 from importlib import import_module
+from typing import TYPE_CHECKING
 
-from stylit_ref.errors import InputError
-from stylit_ref.machine.profiling import Profile
-from stylit_ref.stylization.params import PRESETS, Params
-from stylit_ref.stylization.replaying import replay
-from stylit_ref.stylization.stylize import Result, stylize
-from stylit_ref.stylization.synthesis import Step
+if TYPE_CHECKING:
+    from stylit_ref.errors import InputError
+    from stylit_ref.files.bit_depth import to_uint8
+    from stylit_ref.files.read_image import read_image, read_uint8
+    from stylit_ref.files.write_image import write_image
+    from stylit_ref.machine.profiling import Profile
+    from stylit_ref.stylization.params import PRESETS, Params
+    from stylit_ref.stylization.progress import Step
+    from stylit_ref.stylization.replaying import replay
+    from stylit_ref.stylization.stylize import Result, stylize
 
 __all__ = [
     "PRESETS",
@@ -28,16 +33,25 @@ __all__ = [
 ]
 __version__ = "0.1.0"
 
-_IMAGES = {
-    "read_image": "files.image_io",
-    "read_uint8": "files.image_io",
-    "to_uint8": "files.bit_depth",
-    "write_image": "files.image_io",
+_HOMES = {
+    "errors": ("InputError",),
+    "files.bit_depth": ("to_uint8",),
+    "files.read_image": ("read_image", "read_uint8"),
+    "files.write_image": ("write_image",),
+    "machine.profiling": ("Profile",),
+    "stylization.params": ("PRESETS", "Params"),
+    "stylization.progress": ("Step",),
+    "stylization.replaying": ("replay",),
+    "stylization.stylize": ("Result", "stylize"),
 }
 
 
 def __getattr__(name):
-    """Image files on demand: synthesis itself, on a GPU machine say, needs no OpenImageIO."""
-    if name in _IMAGES:
-        return getattr(import_module(f"stylit_ref.{_IMAGES[name]}"), name)
+    """What is public, on demand: synthesis needs no OpenImageIO, and the oracle's checker no Numba.
+
+    The imports above say the same to type checkers (``tests/test_api.py`` holds them together).
+    """
+    for home, names in _HOMES.items():
+        if name in names:
+            return getattr(import_module(f"stylit_ref.{home}"), name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

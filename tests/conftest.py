@@ -6,19 +6,25 @@ from pathlib import Path
 
 import pytest
 
-pytest_plugins = "hostile.count"
+from stylit_ref.machine.threads import sleep_while_waiting
 
 
 def pytest_configure():
     """Ctrl-C is ignored in the background, and by all that is started from there."""
     signal.signal(signal.SIGINT, signal.default_int_handler)
+    sleep_while_waiting()
+
+
+def foreign_data(name):
+    """A folder of images that are not the repository's, or a skip."""
+    beside_the_checkout = Path(__file__).parents[2] / "shared" / "data"
+    folder = Path(os.environ.get("STYLIT_DATA", beside_the_checkout)) / name
+    if not folder.is_dir():
+        pytest.skip(f"{name} is not here (set STYLIT_DATA to the folder that holds it)")
+    return folder
 
 
 @pytest.fixture(scope="session")
 def golem():
-    """The folder of the real scene, beside the checkout or where STYLIT_GOLEM says."""
-    default = Path(__file__).parents[2] / "shared" / "data" / "stylit_golem"
-    folder = Path(os.environ.get("STYLIT_GOLEM", default))
-    if not folder.is_dir():
-        pytest.skip("the golem scene is not here (set STYLIT_GOLEM to its folder)")
-    return folder
+    """The scene that figures and defaults were measured on."""
+    return foreign_data("stylit_golem")

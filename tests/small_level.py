@@ -7,7 +7,9 @@ import numpy as np
 from stylit_ref import Params, passes
 from stylit_ref.metric.packing import make_packing
 from stylit_ref.randomness.random_stream import RANDOM_NNF, random_stream
+from stylit_ref.stylization.exemplar import Exemplar
 from stylit_ref.stylization.level import Level
+from stylit_ref.stylization.target import Target
 
 
 def make_level(
@@ -57,8 +59,11 @@ def make_level(
 
     synthesized = np.ones(target_size, bool) if masked is None else ~masked
     source, target = texture(source_size), texture(target_size)
+    exemplar = Exemplar(passes, packing, patch_width, source)
     level = Level(
-        passes, packing, params, source.astype(np.uint8), target.astype(np.uint8), synthesized
+        exemplar.level(0),
+        Target(passes, packing, patch_width, target, synthesized).level(0),
+        params,
     )
     stream = random_stream(seed, RANDOM_NNF, 1)
     passes.random_nnf(level.nnf, patch_width, *source_size, stream)

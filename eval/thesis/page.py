@@ -13,11 +13,10 @@ from tqdm import tqdm
 
 from eval.circumstances import circumstances
 from eval.report import html_page, table
-from eval.runs import stored
+from eval.runs import LIBRARY_DIGEST, stored
 from eval.thesis import pictures, published, tables
 from eval.thesis.claims import claims
 from eval.thesis.quality import DEFINITIONS, MEASURES
-from stylit_ref.machine.kernel import LIBRARY_DIGEST
 
 INPUTS = "inputs.json"
 """What a report was made of: where nothing of it changed, it stands."""

@@ -29,8 +29,10 @@ from gpu_cuda.improve_proposal import NO_LIMIT, make_assignment_delta
 from gpu_cuda.metric import MetricConstants, metric_arrays
 from gpu_cuda.patch_penalization import update_omega_sums, update_patch_omega
 from gpu_cuda.target_patches import make_target_patch
+from stylit_ref.formulae.candidates import PROPAGATION_DISTANCES
 from stylit_ref.formulae.improve_assignment import make_improve_assignment
 from stylit_ref.formulae.search_radii import number_of_radii
+from stylit_ref.randomness.random_stream import RANDOM_SEARCH, random_stream
 
 
 @lru_cache
@@ -152,3 +154,24 @@ def live_random_search(
         kernel, nnf.shape[:2], *metric_arrays(textures), occurrences, occurrence_weight,
         nnf, stream, number_of_radii(max(nnf.shape[:2])),
     )  # fmt: skip
+
+
+def live(level, seed, level_number, vote, iteration):
+    """GPU_PatchMatch of thesis 3.3: a PatchMatch iteration whose kernels change Ω as they run."""
+    _iterate(level, level.omega, False, seed, level_number, vote, iteration)
+
+
+def live_sums(level, seed, level_number, vote, iteration):
+    """The same with W, Ω summed over each patch, in the place of Ω."""
+    _iterate(level, level.omega_sums, True, seed, level_number, vote, iteration)
+
+
+def _iterate(level, occurrences, are_sums, seed, level_number, vote, iteration):
+    metric = level.textures, occurrences, are_sums, level.occurrence_weight, level.patch_width
+    for distance in PROPAGATION_DISTANCES:
+        live_propagation(*metric, level.nnf, level.proposed_nnf, distance)
+        level.nnf, level.proposed_nnf = level.proposed_nnf, level.nnf
+    stream = random_stream(seed, RANDOM_SEARCH, level_number, vote, iteration)
+    live_random_search(*metric, level.nnf, stream)
+    level.update_similarity()
+    level.init_occurrence_map()

@@ -1,1 +1,1 @@
-"""Image files in and out, and how many bits their values have."""
+"""Files in and out, whole or not at all: images of any depth, nearest-neighbour fields."""

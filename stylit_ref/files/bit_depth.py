@@ -10,7 +10,7 @@ from skimage.util import img_as_float32
 from stylit_ref.errors import InputError
 
 
-def to_uint8(image, alpha_channel=None):
+def to_uint8(image: np.ndarray, alpha_channel: int | None = None) -> np.ndarray:
     """Convert an image to 8 bits as displayed.
 
     Parameters
@@ -35,7 +35,9 @@ def to_uint8(image, alpha_channel=None):
     if image.dtype == np.uint16:
         return ((image.astype(np.uint32) + 128) // 257).astype(np.uint8)
     if not np.issubdtype(image.dtype, np.floating):
-        raise InputError(f"image has dtype {image.dtype}; it must be uint8, uint16 or float")
+        raise InputError(
+            f"has dtype {image.dtype}; it must be uint8, uint16 or float", parameter="image"
+        )
     linear = np.clip(image.astype(np.float32), 0, 1)
     encoded = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
     if alpha_channel is not None:
@@ -43,7 +45,7 @@ def to_uint8(image, alpha_channel=None):
     return np.floor(encoded * 255 + 0.5).astype(np.uint8)
 
 
-def to_linear(image):
+def to_linear(image: np.ndarray) -> np.ndarray:
     """Invert the sRGB curve: integers as displayed to float32 scene-linear light."""
     encoded = img_as_float32(image)
     linear = np.where(encoded <= 0.04045, encoded / 12.92, ((encoded + 0.055) / 1.055) ** 2.4)

@@ -5,6 +5,9 @@ from numba import njit
 
 from stylit_ref.randomness.philox import uniform_below
 
+PROPAGATION_DISTANCES = (4, 2, 1)
+"""Jump flood distances (thesis 3.3)."""
+
 
 @njit
 def clamp(value, low, high):

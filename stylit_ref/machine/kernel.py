@@ -1,55 +1,57 @@
 """Compiled kernels that are kept on disk and can never be stale.
 
-Numba's own ``cache=True`` looks at the file of the cached function alone: an edited
-formula that a kernel calls would go unnoticed. It also tells two kernels of one factory
-apart by pickles that differ in every process. Here a stored kernel belongs to the
-source of the whole library, and the constants of its factory are named.
+Numba's own ``cache=True`` looks at the file of the cached function alone: an edited formula that a
+kernel calls would go unnoticed. It also tells two kernels of one factory apart by pickles that
+differ in every process. Here a stored kernel belongs to the code it can call
+(:mod:`stylit_ref.machine.code_digest`), and the constants of its factory are named.
 """
 
 import hashlib
-import os
+import time
 from contextlib import suppress
+from functools import cached_property
 from pathlib import Path
+from types import FunctionType
 
 from numba import njit
 from numba.core.caching import FunctionCache, IndexDataCacheFile
 
+from stylit_ref.machine.code_digest import code_digest, imported_files
 
-def _library_digest():
-    library = Path(__file__).parents[1]
-    digest = hashlib.sha256()
-    for file in sorted(library.rglob("*.py")):
-        source = file.read_bytes()
-        digest.update(f"{file.relative_to(library)} {len(source)} ".encode() + source)
-    return digest.hexdigest()
-
-
-# Where threads wait for each other, GNU OpenMP spins for milliseconds before it sleeps. Beside
-# another busy program that takes the processor from the very thread waited for, and a run
-# takes twenty times as long (docs/performance.md). Read when the first kernel runs.
-os.environ.setdefault("GOMP_SPINCOUNT", "3000")
-
-LIBRARY_DIGEST = _library_digest()
-"""Identifies the source of the library, on which every result depends."""
+STARTED = time.time_ns()
+"""When this process came to know the code. A file changed later is not the one it runs."""
 
 
 class _Cache(FunctionCache):
-    """Files of their own for every source and every set of constants.
+    """Files of their own for every code and every set of constants.
 
-    They lie where Numba would put them: in NUMBA_CACHE_DIR, ``__pycache__`` or the
-    user's cache folder. No file is ever written again with other contents, so that
-    processes of different sources or constants cannot read each other's.
+    They lie where Numba would put them: in NUMBA_CACHE_DIR, ``__pycache__`` or the user's cache
+    folder. No file is ever written again with other contents, so that processes of different
+    code or constants cannot read each other's.
     """
 
     def __init__(self, function, constants):
+        self._function, self._constants = function, constants
         super().__init__(function)
-        identity = hashlib.sha256(repr((LIBRARY_DIGEST, constants)).encode()).hexdigest()[:16]
-        self._cache_file = IndexDataCacheFile(
-            self._cache_path, f"{self._impl.filename_base}-{identity}", LIBRARY_DIGEST
-        )
+        del self._cache_file  # Numba's own
+
+    @cached_property
+    def _cache_file(self):
+        """Where the kernel lies; found out when it is first called, as most never are."""
+        code = code_digest(*_files_of(self._function))
+        identity = hashlib.sha256(repr((code, self._constants)).encode()).hexdigest()[:16]
+        return IndexDataCacheFile(self._cache_path, f"{self._impl.filename_base}-{identity}", code)
+
+    @cached_property
+    def _is_as_it_ran(self):
+        """Whether no file has changed since the process began, whose code another one may be."""
+        files = imported_files(*_files_of(self._function))
+        return all(file.stat().st_mtime_ns <= STARTED for file in files)
 
     def load_overload(self, *arguments):
         """None also for a damaged file, which is emptied: it is compiled and kept anew."""
+        if not self._is_as_it_ran:
+            return None
         try:
             return super().load_overload(*arguments)
         except Exception:  # whatever a pickle of random bytes brings about
@@ -63,10 +65,28 @@ class _Cache(FunctionCache):
         Ctrl-C in its callback loses the compiled object, where a program lets it strike there.
         """
         with suppress(OSError, RuntimeError):
-            super().save_overload(*arguments)
+            if self._is_as_it_ran:
+                super().save_overload(*arguments)
 
     def _index_key(self, signature, codegen):
         return signature, codegen.magic_tuple()
+
+
+def _files_of(function):
+    """The files of a function and of all functions that its factory has put into it."""
+    files, waiting, seen = set(), [function], set()
+    while waiting:
+        found = waiting.pop()
+        found = getattr(found, "py_func", getattr(found, "_defn", found))  # of Numba's wrappers
+        if not isinstance(found, FunctionType) or found in seen:
+            continue
+        seen.add(found)
+        files.add(Path(found.__code__.co_filename))
+        for cell in found.__closure__ or ():
+            with suppress(ValueError):  # of a name that has no value yet
+                content = cell.cell_contents
+                waiting += content if isinstance(content, tuple | list) else [content]
+    return files
 
 
 # Only loops that say prange run in parallel: no array expression is worth a loop of its own.

@@ -1,67 +1,123 @@
-"""Where the passes run: on the CPU, or as CUDA kernels.
+"""Where the passes run: on the CPU, or as CUDA kernels in one of several ways."""
 
-The library does not know the kernels: it finds them by name where someone asks for them.
-"""
-
-from importlib import import_module
+from collections.abc import Callable
+from types import ModuleType
+from typing import NamedTuple
 
 from stylit_ref import passes
 from stylit_ref.errors import InputError
 
-BACKENDS = ("cpu", "cuda", "auto")
+
+class Backend(NamedTuple):
+    """What a run takes from where it runs.
+
+    Attributes
+    ----------
+    passes : module
+        Offers the functions of :mod:`stylit_ref.passes`.
+    iterate : callable, optional
+        A PatchMatch iteration of its own, in the place of the schedule's.
+    """
+
+    passes: ModuleType
+    iterate: Callable | None = None
 
 
-def passes_of(backend, params):
-    """The module of passes of a backend.
+CPU = Backend(passes)
+
+
+def _cuda():
+    """The kernels as the library calls them."""
+    import gpu_cuda
+
+    return Backend(gpu_cuda)
+
+
+def _shared_memory():
+    """Target patches in shared memory (thesis 5.1)."""
+    from gpu_cuda.variants import shared_memory
+
+    return Backend(shared_memory)
+
+
+def _live():
+    """Ω live by atomics, ρ summed over Ω (thesis 3.2, 3.3): no two runs are the same."""
+    import gpu_cuda
+    from gpu_cuda.variants.live import live
+
+    return Backend(gpu_cuda, live)
+
+
+def _live_sums():
+    """The same with W, Ω summed over each patch, in the place of Ω."""
+    import gpu_cuda
+    from gpu_cuda.variants.live import live_sums
+
+    return Backend(gpu_cuda, live_sums)
+
+
+GPU_BACKENDS = {
+    "cuda": _cuda,
+    "cuda:shared_memory": _shared_memory,
+    "cuda:live": _live,
+    "cuda:live_sums": _live_sums,
+}
+"""By name, how a GPU is used; the last two are for the method ``ref`` alone."""
+
+BACKENDS = ("cpu", "auto", *GPU_BACKENDS)
+
+
+def find_backend(name: str, params) -> Backend:
+    """Find a backend for a method.
 
     Parameters
     ----------
-    backend : {"cpu", "cuda", "auto"}
-        ``auto`` is ``cuda`` where there is a GPU for the method, otherwise ``cpu``.
+    name : str
+        One of :data:`BACKENDS`. ``auto`` is ``cuda`` where there is a GPU and the method has
+        kernels, otherwise ``cpu``.
     params : Params
 
     Returns
     -------
-    module
+    Backend
 
     Raises
     ------
     InputError
         If there is no such backend, no GPU, or no kernels for the method.
     """
-    if backend not in BACKENDS:
-        raise InputError(f"backend is {backend!r}; it must be 'cpu', 'cuda' or 'auto'")
-    gpu_alone = params.method == "shared_memory" or params.schedule.startswith("live")
-    cpu_alone = params.method == "stylit" or params.schedule == "scanline"
-    what = f"method {params.method!r} in schedule {params.schedule!r}"
-    if backend == "cpu" and gpu_alone:
-        raise InputError(f"{what} is a GPU's; backend must be 'cuda'")
-    if backend == "cpu" or (backend == "auto" and cpu_alone):
-        return passes
-    if cpu_alone:
-        raise InputError(f"there are no kernels for {what}; backend must be 'cpu'")
+    if name not in BACKENDS:
+        *others, last = map(repr, BACKENDS)
+        raise InputError(
+            f"is {name!r}; it must be {', '.join(others)} or {last}", parameter="backend"
+        )
+    has_kernels = params.schedule in params.traits.gpu_schedules
+    if name == "cpu" or (name == "auto" and (not has_kernels or _missing())):
+        return CPU
+    if not has_kernels:
+        raise InputError(
+            f"is {name!r}, but method {params.method!r} in schedule {params.schedule!r} has no "
+            "kernels for a GPU; choose 'cpu'",
+            parameter="backend",
+        )
+    if name.startswith("cuda:live") and params.method != "ref":
+        raise InputError(
+            f"is {name!r}, which is for method 'ref' alone; the method is {params.method!r}",
+            parameter="backend",
+        )
     missing = _missing()
-    if missing and backend == "auto" and not gpu_alone:
-        return passes
     if missing:
         raise InputError(
-            f"backend is {backend!r} but {missing}; 'stylit-ref doctor' says what there is"
+            f"is {name!r} but {missing}; 'stylit-ref doctor' says what there is",
+            parameter="backend",
         )
-    shared = params.method == "shared_memory"
-    return import_module("gpu_cuda.variants.shared_memory" if shared else "gpu_cuda")
+    return GPU_BACKENDS["cuda" if name == "auto" else name]()
 
 
 def _missing():
     """One clause that says why kernels cannot run, or None."""
     try:
-        return import_module("gpu_cuda.host.doctor").missing()
+        from gpu_cuda.host import doctor
     except ImportError as error:  # of numba-cuda, where a part of it is not installed
         return f"the kernels cannot be loaded: {error}"
-
-
-def cuda_report():
-    """Lines of text: what of a GPU's software there is."""
-    try:
-        return import_module("gpu_cuda.host.doctor").report()
-    except ImportError as error:
-        return [f"GPU           none: the kernels cannot be loaded: {error}"]
+    return doctor.missing()

@@ -12,7 +12,11 @@ from stylit_ref.metric.lower_bound import BOUND_SCALE
 from stylit_ref.metric.packing import ONE, occurrence_weight
 
 
-def size(shape):
+class FewerLevelsWarning(UserWarning):
+    """The images do not allow as many pyramid levels as were asked for."""
+
+
+def size_text(shape):
     """``width x height`` of an array shape, as images are spoken of."""
     return f"{shape[1]}x{shape[0]}"
 
@@ -49,13 +53,13 @@ def check_guides(style, sources, targets, source_names=None, target_names=None):
     ):
         if source.shape[:2] != style.shape[:2]:
             raise InputError(
-                f"{source_name} is {size(source.shape)} but the style is "
-                f"{size(style.shape)}; they must have the same size"
+                f"{source_name} is {size_text(source.shape)} but the style is "
+                f"{size_text(style.shape)}; they must have the same size"
             )
         if target.shape[:2] != targets[0].shape[:2]:
             raise InputError(
-                f"{target_name} is {size(target.shape)} but {target_names[0]} is "
-                f"{size(targets[0].shape)}; they must have the same size"
+                f"{target_name} is {size_text(target.shape)} but {target_names[0]} is "
+                f"{size_text(targets[0].shape)}; they must have the same size"
             )
         if source.shape[2] != target.shape[2]:
             raise InputError(
@@ -69,7 +73,9 @@ def check_mask(mask, fill, target_size, style_channels, mask_name="mask", fill_n
     if mask.dtype != bool or mask.ndim != 2:
         raise InputError(f"mask is {mask.dtype} of shape {mask.shape}; it must be bool, (H, W)")
     if mask.shape != target_size:
-        raise InputError(f"{mask_name} is {size(mask.shape)} but the target is {size(target_size)}")
+        raise InputError(
+            f"{mask_name} is {size_text(mask.shape)} but the target is {size_text(target_size)}"
+        )
     if mask.all():
         raise InputError(f"{mask_name} leaves the whole target alone; nothing is to be synthesized")
     if fill is None:
@@ -77,8 +83,8 @@ def check_mask(mask, fill, target_size, style_channels, mask_name="mask", fill_n
     fill = as_image(fill, fill_name)
     if fill.shape != (*target_size, style_channels):
         raise InputError(
-            f"{fill_name} is {size(fill.shape)} with {fill.shape[2]} channels; it must be "
-            f"{size(target_size)} with the style's {style_channels}"
+            f"{fill_name} is {size_text(fill.shape)} with {fill.shape[2]} channels; it must be "
+            f"{size_text(target_size)} with the style's {style_channels}"
         )
 
 
@@ -87,17 +93,20 @@ def fit_levels(params, source_size, target_size):
     for name, shape in (("source", source_size), ("target", target_size)):
         if min(shape) < params.patch_width:
             raise InputError(
-                f"patch_width is {params.patch_width} but the {name} is {size(shape)}; "
-                "a patch must fit into the image"
+                f"is {params.patch_width} but the {name} is {size_text(shape)}; "
+                "a patch must fit into the image",
+                parameter="patch_width",
             )
     levels, shortest = 1, min(*source_size, *target_size)
     while shortest >> levels >= params.patch_width and levels < params.levels:
         levels += 1
     if levels < params.levels:
         warnings.warn(
-            f"{levels} pyramid levels in place of {params.levels}: "
-            f"a coarser one would be smaller than a patch",
-            stacklevel=3,
+            FewerLevelsWarning(
+                f"{levels} pyramid levels in place of {params.levels}: "
+                f"a coarser one would be smaller than a patch"
+            ),
+            stacklevel=4,
         )
     return replace(params, levels=levels)
 
@@ -111,20 +120,22 @@ def check_range(packing, params, source_size, target_patches):
             f"map; at most {(1 << 31) // patch_pixels} patches of that width are possible"
         )
     source_pixels = source_size[0] * source_size[1]
-    weight = occurrence_weight(params.uniformity, params.patch_width, source_pixels, target_patches)
+    uniformity = params.penalization
+    weight = occurrence_weight(uniformity, params.patch_width, source_pixels, target_patches)
     best = omega_best(params.patch_width, source_pixels, target_patches)
-    exact = params.uniformity / (patch_pixels * best)
+    exact = uniformity / (patch_pixels * best)
     if abs(weight - ONE * exact) > 0.01 * ONE * exact:
         warnings.warn(
-            f"uniformity {params.uniformity:g} is rounded to "
-            f"{params.uniformity * weight / (ONE * exact):g}: so small a weight has no finer "
+            f"uniformity {uniformity:g} is rounded to "
+            f"{uniformity * weight / (ONE * exact):g}: so small a weight has no finer "
             f"fixed-point value with patches of width {params.patch_width}",
-            stacklevel=3,
+            stacklevel=4,
         )
     largest_phi = weight * patch_pixels * target_patches + packing.largest_delta(params.patch_width)
-    factor = patch_pixels if params.method == "guide_map" else BOUND_SCALE
+    factor = patch_pixels if params.traits.has_guide_map else BOUND_SCALE
     if largest_phi * factor >= 1 << 62:
         raise InputError(
-            f"uniformity {params.uniformity:g} with guide influence {params.guide_influence:g} "
-            "overflows 64-bit integers on images of this size; choose smaller ones"
+            f"{uniformity:g} with guide influence {params.guide_influence:g} overflows 64-bit "
+            "integers on images of this size; choose smaller ones",
+            parameter="uniformity",
         )

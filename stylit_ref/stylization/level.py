@@ -1,14 +1,59 @@
-"""One pyramid level: its textures, its assignments, and what follows from them."""
+"""One pyramid level of a run: its textures, its assignments, and what follows from them."""
+
+from types import ModuleType
 
 import numpy as np
 
-from stylit_ref.formulae.guide_map import sums_dtype
 from stylit_ref.metric.packing import ONE, occurrence_weight
+from stylit_ref.metric.proposal import Commitment, Proposal
 from stylit_ref.metric.textures import Textures
+from stylit_ref.stylization.exemplar import ExemplarLevel
+from stylit_ref.stylization.target import TargetLevel
+
+
+def join(exemplar: ExemplarLevel, target: TargetLevel, guide_map=None) -> Textures:
+    """Both sides of a comparison as the passes take them, the memory shared.
+
+    Parameters
+    ----------
+    exemplar : ExemplarLevel
+        Whose patches are assigned.
+    target : TargetLevel
+        Whose patches they are assigned to.
+    guide_map : (H_B, W_B) bool, optional
+        G, where means stand for a patch's guides.
+
+    Returns
+    -------
+    Textures
+    """
+    packing = target.packing
+    with_map = guide_map is not None
+    return Textures(
+        source=exemplar.texture,
+        target=target.texture,
+        source_moments=exemplar.moments,
+        target_moments=target.moments,
+        weights=target.weights,
+        pair_weights=packing.pair_weights,
+        moment_weights=packing.moment_weights(target.patch_width, with_map),
+        guide_map=guide_map,
+        source_sums=exemplar.guide_sums if with_map else None,
+        target_sums=target.guide_sums if with_map else None,
+        style_pair_weights=packing.style_pair_weights if with_map else None,
+    )
 
 
 class Level:
     """Textures, assignments and occurrence maps of one pyramid level.
+
+    Parameters
+    ----------
+    exemplar : ExemplarLevel
+        Stays as it is: other levels may share it.
+    target : TargetLevel
+        This level's own, since B' is in it.
+    params : Params
 
     Attributes
     ----------
@@ -29,71 +74,60 @@ class Level:
         Assignments that the level's commits have changed.
     """
 
-    def __init__(self, passes, packing, params, source, target, synthesized):
-        self.passes, self.packing = passes, packing
-        self.patch_width, self.vote_outliers = params.patch_width, params.vote_outliers
-        with_guide_map = params.method == "guide_map"
-        radius = self.patch_width // 2
-        height, width = target.shape[:2]
-        padded = passes.repeat_edge(target, radius)
-        lanes = len(packing.moments)
-        self.textures = Textures(
-            source=source,
-            target=padded,
-            source_moments=passes.moments_storage(*source.shape[:2], lanes),
-            target_moments=passes.moments_storage(height, width, lanes),
-            weights=passes.upload(packing.weights),
-            pair_weights=packing.pair_weights,
-            moment_weights=packing.moment_weights(self.patch_width, with_guide_map),
-        )
-        if with_guide_map:
-            self._add_guide_map(params.epsilon)
-        style = packing.style_channel, packing.style_channels
-        passes.patch_moments(source, self.textures.source_moments, self.patch_width, radius, *style)
-        passes.patch_moments(padded, self.textures.target_moments, self.patch_width, 0, *style)
+    def __init__(self, exemplar: ExemplarLevel, target: TargetLevel, params):
+        self.target = target
+        self.passes: ModuleType = target.passes
+        self.packing, self.patch_width = target.packing, target.patch_width
+        self.vote_outliers = params.vote_outliers
+        has_guide_map = params.traits.has_guide_map
+        guide_map = target.make_guide_map(params.epsilon) if has_guide_map else None
+        self.textures = join(exemplar, target, guide_map)
 
+        passes, synthesized = self.passes, target.synthesized
         unassigned = np.where(synthesized[:, :, None], np.int32(0), np.int32(-1)).repeat(2, axis=2)
         self.nnf, self.proposed_nnf = passes.upload(unassigned), passes.upload(unassigned.copy())
         self.delta, self.proposed_delta = (
-            passes.zeros((height, width), np.int64) for _ in range(2)
+            passes.zeros(synthesized.shape, np.int64) for _ in range(2)
         )
-        self.omega, self.omega_sums = (passes.zeros(source.shape[:2], np.int32) for _ in range(2))
+        self.omega, self.omega_sums = (passes.zeros(exemplar.size, np.int32) for _ in range(2))
         self.occurrence_weight = occurrence_weight(
-            params.uniformity,
+            params.penalization,
             self.patch_width,
-            source.shape[0] * source.shape[1],
+            exemplar.size[0] * exemplar.size[1],
             np.count_nonzero(synthesized),
         )
         self.moves, self._moves_taken = passes.zeros(1, np.int64), 0
 
-    def _add_guide_map(self, epsilon):
-        """Evaluate_Means and Evaluate_Map (5.2.2): guides stay as they are all through a level."""
-        source, target, radius = self.textures.source, self.textures.target, self.patch_width // 2
-        size = target.shape[0] - 2 * radius, target.shape[1] - 2 * radius
-        guides, dtype = self.packing.style_channel, sums_dtype(self.patch_width)
-        self.textures = self.textures._replace(
-            guide_map=self.passes.zeros(size, np.bool_),
-            source_sums=self.passes.zeros((*source.shape[:2], guides), dtype),
-            target_sums=self.passes.zeros((*size, guides), dtype),
-            style_pair_weights=self.packing.style_pair_weights,
-        )
-        self.passes.means(source, self.textures.source_sums, self.patch_width, radius)
-        self.passes.means(target, self.textures.target_sums, self.patch_width, 0)
-        self.passes.guide_map(
-            target,
-            self.textures.target_sums,
-            self.textures.weights,
-            self.patch_width,
-            epsilon,
-            self.textures.guide_map,
-        )
+    @property
+    def proposal(self) -> Proposal:
+        """What the passes that propose begin with."""
+        return Proposal(
+            self.textures, self.omega_sums, self.occurrence_weight, self.patch_width,
+            self.nnf, self.delta, self.proposed_nnf, self.proposed_delta,
+        )  # fmt: skip
+
+    def commitment(self, stream) -> Commitment:
+        """What a commit takes, with the stream of its classes' order."""
+        return Commitment(
+            self.nnf, self.delta, self.proposed_nnf, self.proposed_delta,
+            self.omega_sums, self.occurrence_weight, self.patch_width, stream, self.moves,
+        )  # fmt: skip
 
     @property
     def style(self):
         """The synthesized style B' as it stands, (H_B, W_B, n) uint8, NumPy's."""
-        radius = self.patch_width // 2
-        target = self.passes.download(self.textures.target)
-        return self.packing.style(target)[radius:-radius, radius:-radius]
+        return self.target.style
+
+    def set_style(self, image: np.ndarray) -> None:
+        """Take an image for B', and δ of the NNF with it.
+
+        Parameters
+        ----------
+        image : (H_B, W_B, n) uint8
+        """
+        self.target.set_style(image)
+        self.textures = self.textures._replace(target=self.target.texture)
+        self.update_similarity()
 
     def init_occurrence_map(self):
         """InitOccurrenceMap (2.3): Ω and W of the NNF as it stands."""
@@ -116,19 +150,12 @@ class Level:
         self.update_similarity()
 
     def update_similarity(self):
+        """δ of the NNF as it stands."""
         self.passes.similarity(self.textures, self.patch_width, self.nnf, self.delta)
 
     def update_moments(self):
         """Moments of the target's patches with B' as it stands: the search reads them."""
-        self.passes.patch_moments(
-            self.textures.target,
-            self.textures.target_moments,
-            self.patch_width,
-            0,
-            self.packing.style_channel,
-            self.packing.style_channels,
-            style_only=True,
-        )
+        self.target.update_moments()
 
     def take_moves(self):
         """Assignments that commits have changed since this was last asked."""

@@ -1,15 +1,24 @@
 """Parameters of a stylization; the defaults are those of thesis 4.1."""
 
-from dataclasses import dataclass
-from numbers import Integral, Real
-from typing import Literal, get_args
-
-import numpy as np
+from dataclasses import dataclass, fields, replace
+from typing import Literal
 
 from stylit_ref.errors import InputError
+from stylit_ref.parameters import (
+    Choice,
+    Integer,
+    Number,
+    OneOrSeveral,
+    Optional,
+    Several,
+    Share,
+    parameter,
+)
+from stylit_ref.stylization.methods import METHODS, Method
+from stylit_ref.stylization.schedules import SCHEDULES
 
-Method = Literal["ref", "shared_memory", "guide_map", "stylit"]
-Schedule = Literal["propose_commit", "scanline", "live", "live_sums"]
+LARGEST_WEIGHT = 1e12
+_WEIGHT = Number(0, LARGEST_WEIGHT)
 
 
 @dataclass(frozen=True)
@@ -18,9 +27,8 @@ class Params:
 
     Attributes
     ----------
-    method : {"ref", "shared_memory", "guide_map", "stylit"}
-        Texture optimization with an occurrence map (thesis 2, 3); the same by kernels that keep
-        target patches in shared memory (5.1, a GPU's); with guide maps
+    method : {"ref", "guide_map", "stylit"}
+        Texture optimization with an occurrence map (thesis 2, 3); with guide maps
         (5.2, :mod:`stylit_ref.formulae.guide_map`); StyLit
         (1.5, :mod:`stylit_ref.stylization.stylit`).
     patch_width : int
@@ -39,9 +47,9 @@ class Params:
         μ, the weight of all guides together against the style (4.1: 2).
     guide_weights : tuple of float, optional
         A factor for each guide's share of μ; 1 for every guide by default.
-    schedule : {"propose_commit", "scanline", "live", "live_sums"}
+    schedule : {"propose_commit", "scanline"}
         How PatchMatch proceeds and when Ω changes
-        (:mod:`stylit_ref.stylization.schedules`); all but the first are for ``ref`` alone.
+        (:mod:`stylit_ref.stylization.schedules`); the second is for ``ref`` alone.
     vote_outliers : int
         t, the votes farthest from a pixel's mean that do not count (Hauptfleisch 2.4.1:
         3 to 5); 0 for the plain mean.
@@ -50,7 +58,8 @@ class Params:
         that vary by less are compared by their means; 0 for none.
     budget : "hyperbola" or float
         ``stylit``: how the error budget is found
-        (:mod:`stylit_ref.stylization.error_budget`): at the knee of a fitted hyperbola, or as a share of the sum of all errors (Hauptfleisch 4.1.2: 0.9).
+        (:mod:`stylit_ref.stylization.error_budget`): at the knee of a fitted hyperbola, or as a
+        share of the sum of all errors (Hauptfleisch 4.1.2: 0.9).
     fixed_share : float
         ``stylit``: share of the target's patches that source-to-target retrieval fixes before
         a target-to-source one takes over.
@@ -64,92 +73,80 @@ class Params:
         If a value is out of range.
     """
 
-    method: Method = "ref"
-    patch_width: int = 5
-    levels: int = 6
-    votes: int | tuple[int, ...] = 6
-    patchmatch_iterations: int = 6
-    uniformity: float = 10000.0
-    guide_influence: float = 2.0
-    guide_weights: tuple[float, ...] | None = None
-    schedule: Schedule = "propose_commit"
-    vote_outliers: int = 0
-    epsilon: float = 100.0
-    budget: Literal["hyperbola"] | float = "hyperbola"
-    fixed_share: float = 0.95
-    error_limit: float | None = None
+    method: str = parameter(
+        "ref",
+        Choice(tuple(METHODS)),
+        "; ".join(f"{method.name}, {method.text}" for method in METHODS.values()),
+    )
+    patch_width: int = parameter(5, Integer(3, 63, odd=True), "patch width in pixels, odd")
+    levels: int = parameter(6, Integer(1, 16), "levels of the pyramid")
+    votes: int | tuple[int, ...] = parameter(
+        6,
+        OneOrSeveral(Integer(1, 65535)),
+        "search-vote iterations a level; 1,2,4 gives them from the finest level on",
+    )
+    patchmatch_iterations: int = parameter(6, Integer(1, 65535), "PatchMatch iterations a vote")
+    uniformity: float = parameter(10000.0, _WEIGHT, "λ, how evenly the style is used")
+    guide_influence: float = parameter(2.0, _WEIGHT, "μ, weight of the guides")
+    guide_weights: tuple[float, ...] | None = parameter(
+        None, Optional(Several(_WEIGHT, "guide weight")), "factors of the guides"
+    )
+    schedule: str = parameter(
+        "propose_commit",
+        Choice(tuple(SCHEDULES)),
+        "propose_commit (parallel) or scanline (sequential)",
+    )
+    vote_outliers: int = parameter(
+        0, Integer(0, 63**2 - 1), "votes farthest from the mean that do not count"
+    )
+    epsilon: float = parameter(
+        100.0,
+        _WEIGHT,
+        "guide_map: ε, variance of the guides below which means stand for them",
+    )
+    budget: Literal["hyperbola"] | float = parameter(
+        "hyperbola",
+        Share("hyperbola"),
+        "stylit: hyperbola, for the knee of the sorted errors, or a share of their sum, as 0.9",
+    )
+    fixed_share: float = parameter(
+        0.95,
+        Share(),
+        "stylit: share of the target to be fixed by source-to-target retrieval",
+    )
+    error_limit: float | None = parameter(
+        None,
+        Optional(Number(1, LARGEST_WEIGHT)),
+        "stylit: α, most error of a fixed patch over the least that was found for it",
+    )
 
     def __post_init__(self):
-        if not _is_one_of(self.method, METHODS):
+        for each in fields(self):
+            kind = each.metadata["kind"]
+            if each.name == "vote_outliers":  # one vote is always kept
+                width = self.patch_width
+                kind = replace(kind, most=width**2 - 1, remark=f", for patches of width {width}")
+            value = kind.check(each.name, getattr(self, each.name))
+            object.__setattr__(self, each.name, value)
+        if self.schedule not in self.traits.schedules:
+            methods = [repr(name) for name in METHODS if self.schedule in METHODS[name].schedules]
             raise InputError(
-                f"method is {self.method!r}; it must be 'ref', 'shared_memory', 'guide_map' or "
-                "'stylit'"
-            )
-        width = self.patch_width
-        if not isinstance(width, Integral) or width % 2 == 0 or not 3 <= width <= 63:
-            raise InputError(f"patch_width is {width}; it must be an odd integer from 3 to 63")
-        _check_count("levels", self.levels, 16)
-        _check_count("patchmatch_iterations", self.patchmatch_iterations, 65535)
-        if _is_sequence(self.votes) and len(self.votes):
-            object.__setattr__(self, "votes", tuple(self.votes))
-            for votes in self.votes:
-                _check_count("votes", votes, 65535)
-        else:
-            _check_count("votes", self.votes, 65535)
-        for name in ("uniformity", "guide_influence"):
-            _check_weight(name, getattr(self, name))
-        if self.guide_weights is not None:
-            if not _is_sequence(self.guide_weights):
-                raise InputError(f"guide_weights is {self.guide_weights}; it must be a sequence")
-            object.__setattr__(self, "guide_weights", tuple(self.guide_weights))
-            for k, weight in enumerate(self.guide_weights, 1):
-                _check_weight(f"guide weight {k}", weight)
-        if not _is_one_of(self.schedule, SCHEDULES):
-            raise InputError(
-                f"schedule is {self.schedule!r}; it must be 'propose_commit', 'scanline', 'live' "
-                "or 'live_sums'"
-            )
-        if self.schedule != "propose_commit" and self.method != "ref":
-            raise InputError(
-                f"schedule is {self.schedule!r}; it is for method 'ref' alone, and the method is "
-                f"{self.method!r}"
-            )
-        most = width**2 - 1
-        if not isinstance(self.vote_outliers, Integral) or not 0 <= self.vote_outliers <= most:
-            raise InputError(
-                f"vote_outliers is {self.vote_outliers}; it must be an integer from 0 to {most}, "
-                f"for patches of width {width}"
-            )
-        _check_weight("epsilon", self.epsilon)
-        if not _is_one_of(self.budget, ("hyperbola",)):
-            _check_share("budget", self.budget, "'hyperbola' or a share ")
-        _check_share("fixed_share", self.fixed_share, "a share ")
-        if self.error_limit is not None and not (
-            isinstance(self.error_limit, Real) and 1 <= self.error_limit <= LARGEST_WEIGHT
-        ):
-            raise InputError(
-                f"error_limit is {self.error_limit}; it must be a number from 1 to "
-                f"{LARGEST_WEIGHT:g}"
+                f"is {self.schedule!r}; it is for method {' or '.join(methods)} alone, and the "
+                f"method is {self.method!r}",
+                parameter="schedule",
             )
 
-        self._simplify()
+    @property
+    def traits(self) -> Method:
+        """What the method is: its row of :data:`stylit_ref.stylization.methods.METHODS`."""
+        return METHODS[self.method]
 
-    def _simplify(self):
-        """Python's own numbers in the place of NumPy's and fractions: one value, one repr."""
-        plain = {name: int(getattr(self, name)) for name in _COUNTS}
-        plain |= {name: float(getattr(self, name)) for name in _NUMBERS}
-        several = isinstance(self.votes, tuple)
-        plain["votes"] = tuple(map(int, self.votes)) if several else int(self.votes)
-        if self.guide_weights is not None:
-            plain["guide_weights"] = tuple(map(float, self.guide_weights))
-        if self.budget != "hyperbola":
-            plain["budget"] = float(self.budget)
-        if self.error_limit is not None:
-            plain["error_limit"] = float(self.error_limit)
-        for name, value in plain.items():
-            object.__setattr__(self, name, value)
+    @property
+    def penalization(self) -> float:
+        """λ, or 0 of a method without a patch penalization."""
+        return self.uniformity if self.traits.has_penalization else 0.0
 
-    def votes_above(self, depth):
+    def votes_above(self, depth: int) -> int:
         """Votes of the level ``depth`` levels above the finest, coarser ones lying above."""
         if isinstance(self.votes, tuple):
             return self.votes[min(depth, len(self.votes) - 1)]
@@ -165,44 +162,3 @@ PRESETS = {
 Votes at coarse levels cost little and settle most of what the finest shows, so ``fast`` spends
 them there.
 """
-
-METHODS, SCHEDULES = get_args(Method), get_args(Schedule)
-HEEDED_BY = {
-    "uniformity": ("ref", "shared_memory", "guide_map"),
-    "epsilon": ("guide_map",),
-    "budget": ("stylit",),
-    "fixed_share": ("stylit",),
-    "error_limit": ("stylit",),
-}
-"""The methods that heed a parameter, where not all of them do."""
-
-LARGEST_WEIGHT = 1e12
-
-_COUNTS = "patch_width", "levels", "patchmatch_iterations", "vote_outliers"
-_NUMBERS = "uniformity", "guide_influence", "epsilon", "fixed_share"
-
-
-def _is_one_of(value, names):
-    return isinstance(value, str) and value in names
-
-
-def _is_sequence(value):
-    try:
-        return np.ndim(value) == 1
-    except ValueError:  # rows of different lengths
-        return False
-
-
-def _check_count(name, value, most):
-    if not isinstance(value, Integral) or not 1 <= value <= most:
-        raise InputError(f"{name} is {value}; it must be an integer from 1 to {most}")
-
-
-def _check_weight(name, value):
-    if not isinstance(value, Real) or not 0 <= value <= LARGEST_WEIGHT:
-        raise InputError(f"{name} is {value}; it must be a number from 0 to {LARGEST_WEIGHT:g}")
-
-
-def _check_share(name, value, what):
-    if not isinstance(value, Real) or not 0 < value <= 1:
-        raise InputError(f"{name} is {value!r}; it must be {what}above 0 and up to 1")

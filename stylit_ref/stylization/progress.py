@@ -1,5 +1,6 @@
-"""What a search tells while it improves the NNF between two votes (the M-step of thesis 2.3)."""
+"""What a run tells while it improves the NNF between two votes (the M-step of thesis 2.3)."""
 
+from dataclasses import dataclass
 from typing import NamedTuple
 
 
@@ -25,3 +26,44 @@ class SearchStep(NamedTuple):
     done: float
     retrieval: int | None = None
     fixed: float | None = None
+
+
+@dataclass(frozen=True)
+class Step:
+    """Where a run stands after a step of a search: a PatchMatch iteration, or a retrieval.
+
+    Attributes
+    ----------
+    level, levels : int
+        Pyramid level, 1 the coarsest, and their number.
+    height, width : int
+        Target size of the level.
+    vote : int
+        Counted from 1.
+    delta, penalization : float
+        Mean δ and mean λρ over the target patches; φ is their sum.
+    done : float
+        Share of the whole run's work, up to 1.
+    patchmatch_iteration : int
+        Counted from 1 after each vote.
+    moves : int or None
+        Changes of assignments (None where they are not counted).
+    retrieval : int or None
+        ``stylit``: source-to-target retrievals since the vote. The last step of a vote has their
+        number.
+    fixed : float or None
+        ``stylit``: share of the target patches that they have fixed since the vote.
+    """
+
+    level: int
+    levels: int
+    height: int
+    width: int
+    vote: int
+    delta: float
+    penalization: float
+    done: float
+    patchmatch_iteration: int
+    moves: int | None
+    retrieval: int | None
+    fixed: float | None

@@ -8,7 +8,7 @@ import numpy as np
 from stylit_ref.arrays import as_array
 from stylit_ref.errors import InputError
 from stylit_ref.passes import replay_vote
-from stylit_ref.stylization.checks import size
+from stylit_ref.stylization.checks import size_text
 
 
 def replay(
@@ -52,12 +52,15 @@ def replay(
     if style.ndim not in (2, 3) or 0 in style.shape:
         raise InputError(f"style has shape {style.shape}; it must be (H, W) or (H, W, channels)")
     if not isinstance(patch_width, Integral) or patch_width % 2 == 0 or not 1 <= patch_width <= 63:
-        raise InputError(f"patch_width is {patch_width}; it must be an odd integer from 1 to 63")
+        raise InputError(
+            f"is {patch_width}; it must be an odd integer from 1 to 63", parameter="patch_width"
+        )
     if not isinstance(scale, Integral) or scale < 1:
-        raise InputError(f"scale is {scale}; it must be a positive integer")
+        raise InputError(f"is {scale}; it must be a positive integer", parameter="scale")
     if style.shape[0] % scale or style.shape[1] % scale:
         raise InputError(
-            f"the style is {size(style.shape)}; its sides must be multiples of the scale {scale}"
+            f"the style is {size_text(style.shape)}; its sides must be multiples of the scale "
+            f"{scale}"
         )
     radius = patch_width // 2
     assigned = nnf[nnf[:, :, 0] >= 0]
@@ -66,12 +69,12 @@ def replay(
         low, high = assigned.min(axis=0).tolist(), assigned.max(axis=0).tolist()
         raise InputError(
             f"the NNF points to source pixels (y, x) from {low} to {high}, but a style of "
-            f"{size(style.shape)} at scale {scale} has patches of width "
+            f"{size_text(style.shape)} at scale {scale} has patches of width "
             f"{patch_width} only from {[radius, radius]} to {limit.tolist()}"
         )
     if assigned.size and (assigned.max(axis=0) * 2 < limit).all():
         warnings.warn(
-            f"the NNF uses less than half of the style's {size(style.shape)} at "
+            f"the NNF uses less than half of the style's {size_text(style.shape)} at "
             f"scale {scale}; is the style an enlargement, and the scale larger?",
             stacklevel=2,
         )

@@ -9,9 +9,9 @@ They differ in when the occurrence map Ω changes:
     target with Ω frozen and only *proposes*; then its proposals *commit*, and Ω follows.
     The thesis updates Ω with atomics while its kernels run, which no two runs repeat;
     this gives the same bytes with any number of threads.
-``live``, ``live_sums``
-    Thesis 3.3 on a GPU, Ω live by atomics: no two runs are the same. The first sums ρ over Ω
-    as the thesis does, the second reads it from W.
+
+A backend may bring a schedule of its own: those of :mod:`gpu_cuda.variants.live` are thesis 3.3, Ω
+live by atomics, no two runs alike.
 
 The canonical iteration, to the last choice:
 
@@ -34,11 +34,9 @@ The canonical iteration, to the last choice:
    stood when the class began; W follows when the class is done.
 """
 
+from stylit_ref.formulae.candidates import PROPAGATION_DISTANCES
 from stylit_ref.randomness.random_stream import COMMIT_ORDER, RANDOM_SEARCH, random_stream
 from stylit_ref.stylization.progress import SearchStep
-
-PROPAGATION_DISTANCES = (4, 2, 1)
-"""Jump flood distances (thesis 3.3)."""
 
 
 def propose_commit(level, seed, level_number, vote, iteration):
@@ -46,20 +44,11 @@ def propose_commit(level, seed, level_number, vote, iteration):
     passes = level.passes
     commit_stream = random_stream(seed, COMMIT_ORDER, level_number, vote, iteration)
     search_stream = random_stream(seed, RANDOM_SEARCH, level_number, vote, iteration)
-    proposal = (
-        level.textures, level.omega_sums, level.occurrence_weight, level.patch_width,
-        level.nnf, level.delta, level.proposed_nnf, level.proposed_delta,
-    )  # fmt: skip
-    commitment = (
-        level.nnf, level.delta, level.proposed_nnf, level.proposed_delta,
-        level.omega_sums, level.occurrence_weight, level.patch_width, commit_stream,
-        level.moves,
-    )  # fmt: skip
     for distance in PROPAGATION_DISTANCES:
-        passes.propagation(*proposal, distance)
-        passes.commit(*commitment)
-    passes.random_search(*proposal, search_stream)
-    passes.commit(*commitment)
+        passes.propagation(*level.proposal, distance)
+        passes.commit(*level.commitment(commit_stream))
+    passes.random_search(*level.proposal, search_stream)
+    passes.commit(*level.commitment(commit_stream))
 
 
 def scanline(level, seed, level_number, vote, iteration):
@@ -79,36 +68,11 @@ def scanline(level, seed, level_number, vote, iteration):
     level.init_occurrence_map()
 
 
-def live(level, seed, level_number, vote, iteration):
-    """GPU_PatchMatch of thesis 3.3: kernels that change Ω as they run."""
-    _live(level, level.omega, False, seed, level_number, vote, iteration)
+SCHEDULES = {"propose_commit": propose_commit, "scanline": scanline}
+"""One iteration of each, ``(level, seed, level_number, vote, iteration)``."""
 
 
-def live_sums(level, seed, level_number, vote, iteration):
-    """The same with W, Ω summed over each patch, in the place of Ω."""
-    _live(level, level.omega_sums, True, seed, level_number, vote, iteration)
-
-
-def _live(level, occurrences, are_sums, seed, level_number, vote, iteration):
-    metric = level.textures, occurrences, are_sums, level.occurrence_weight, level.patch_width
-    for distance in PROPAGATION_DISTANCES:
-        level.passes.live_propagation(*metric, level.nnf, level.proposed_nnf, distance)
-        level.nnf, level.proposed_nnf = level.proposed_nnf, level.nnf
-    stream = random_stream(seed, RANDOM_SEARCH, level_number, vote, iteration)
-    level.passes.live_random_search(*metric, level.nnf, stream)
-    level.update_similarity()
-    level.init_occurrence_map()
-
-
-SCHEDULES = {
-    "propose_commit": propose_commit,
-    "scanline": scanline,
-    "live": live,
-    "live_sums": live_sums,
-}
-
-
-def search(level, params, seed, level_number, vote):
+def search(level, params, iterate, seed, level_number, vote):
     """PatchMatch of thesis 2.3: as many iterations as ``params`` say, from target to source.
 
     Parameters
@@ -116,6 +80,8 @@ def search(level, params, seed, level_number, vote):
     level : Level
         Its NNF, δ and W are improved.
     params : Params
+    iterate : callable
+        One of :data:`SCHEDULES`, or a backend's own.
     seed, level_number, vote : int
         Name the random numbers.
 
@@ -125,6 +91,6 @@ def search(level, params, seed, level_number, vote):
         After every iteration.
     """
     for iteration in range(1, params.patchmatch_iterations + 1):
-        SCHEDULES[params.schedule](level, seed, level_number, vote, iteration)
-        moves = level.take_moves() if params.schedule == "propose_commit" else None
+        iterate(level, seed, level_number, vote, iteration)
+        moves = level.take_moves() if iterate is propose_commit else None
         yield SearchStep(iteration, moves, iteration / params.patchmatch_iterations)

@@ -22,6 +22,8 @@ search then skips it as it skips patches that are used too often.
 
 import numpy as np
 
+from stylit_ref.formulae.candidates import PROPAGATION_DISTANCES
+from stylit_ref.metric.proposal import Proposal
 from stylit_ref.passes.claims import CLAIMED, FIXED, FREE
 from stylit_ref.randomness.random_stream import (
     ITERATIONS,
@@ -30,15 +32,17 @@ from stylit_ref.randomness.random_stream import (
     random_stream,
 )
 from stylit_ref.stylization.error_budget import correspondences_within_budget
+from stylit_ref.stylization.exemplar import ExemplarLevel
+from stylit_ref.stylization.level import join
 from stylit_ref.stylization.progress import SearchStep
-from stylit_ref.stylization.schedules import PROPAGATION_DISTANCES, propose_commit
+from stylit_ref.stylization.target import TargetLevel
 
 LEAST_PROGRESS = 1e-3
 """A retrieval can fix as many patches as the source has, or the target; another one follows
 where it has fixed this share of the fewer."""
 
 
-def search(level, params, seed, level_number, vote):
+def search(level, params, iterate, seed, level_number, vote):
     """One M-step of StyLit: retrievals within an error budget, and the rest from target to source.
 
     Parameters
@@ -46,6 +50,8 @@ def search(level, params, seed, level_number, vote):
     level : Level
         Its NNF and δ are overwritten.
     params : Params
+    iterate : callable
+        A PatchMatch iteration of the search from target to source.
     seed, level_number, vote : int
         Name the random numbers.
 
@@ -56,7 +62,7 @@ def search(level, params, seed, level_number, vote):
     """
     iterations = params.patchmatch_iterations
     for iteration in range(1, iterations + 1):
-        propose_commit(level, seed, level_number, vote, iteration)
+        iterate(level, seed, level_number, vote, iteration)
     yield SearchStep(iterations, None, 0.0, retrieval=0, fixed=0.0)
 
     limits = np.full(level.delta.shape, np.iinfo(np.int64).max)
@@ -83,16 +89,20 @@ def search(level, params, seed, level_number, vote):
 class Retrieval:
     """PatchMatch from source to target that skips fixed target patches.
 
+    The level's halves change places, the same memory but for the moments. NNF coordinates are
+    those of the padded target, ``radius`` more than its own.
+
+    Parameters
+    ----------
+    level : Level
+        Voted, with the NNF and δ of a search from target to source.
+    stream : tuple of 4 uint32
+        Of the random NNF that it begins with.
+
     Attributes
     ----------
-    textures : Textures
-        Those of the level with source and target in each other's place; the same memory but for
-        the moments.
-    nnf : (H_A - 2 radius, W_A - 2 radius, 2) int32
-        For each source patch a target patch, ``radius`` added to its coordinates.
-    delta : (H_A - 2 radius, W_A - 2 radius) int64
-    taken : (H_B + 2 radius, W_B + 2 radius) int32
-        ``FREE`` or ``FIXED``, in the place of W.
+    proposal : Proposal
+        What the passes take; in the place of W what is taken, ``FREE`` or ``FIXED``.
     """
 
     def __init__(self, level, stream):
@@ -100,43 +110,47 @@ class Retrieval:
         passes, packing, width = level.passes, level.packing, level.patch_width
         radius = width // 2
         source, target = level.textures.source, level.textures.target
-        patches = source.shape[0] - 2 * radius, source.shape[1] - 2 * radius
-        lanes = len(packing.moments)
-        self.textures = level.textures._replace(
-            source=target,
-            target=source,
-            source_moments=passes.moments_storage(*target.shape[:2], lanes),
-            target_moments=passes.moments_storage(*patches, lanes),
+        self.textures = join(
+            ExemplarLevel(passes, packing, width, target),
+            TargetLevel(passes, packing, width, source),
         )
-        style = packing.style_channel, packing.style_channels
-        passes.patch_moments(target, self.textures.source_moments, width, radius, *style)
-        passes.patch_moments(source, self.textures.target_moments, width, 0, *style)
-
-        self.taken = np.full(target.shape[:2], FIXED, np.int32)
+        taken = np.full(target.shape[:2], FIXED, np.int32)
         inside = np.s_[radius : target.shape[0] - radius, radius : target.shape[1] - radius]
-        self.taken[inside][level.nnf[:, :, 0] >= 0] = FREE
-        self.taken_weight = packing.largest_delta(width) + 1
+        taken[inside][level.nnf[:, :, 0] >= 0] = FREE
 
-        self.nnf, self.delta = np.zeros((*patches, 2), np.int32), np.zeros(patches, np.int64)
-        passes.random_nnf(self.nnf, width, *target.shape[:2], stream)
-        passes.similarity(self.textures, width, self.nnf, self.delta)
-        passes.invert_nnf(level.nnf, level.delta, width, self.nnf, self.delta)
-        self.proposed_nnf, self.proposed_delta = self.nnf.copy(), self.delta.copy()
+        patches = self.textures.target_moments.shape[:2]
+        nnf, delta = np.zeros((*patches, 2), np.int32), np.zeros(patches, np.int64)
+        passes.random_nnf(nnf, width, *target.shape[:2], stream)
+        passes.similarity(self.textures, width, nnf, delta)
+        passes.invert_nnf(level.nnf, level.delta, width, nnf, delta)
+        price = packing.largest_delta(width) + 1
+        self.proposal = Proposal(
+            self.textures, taken, price, width, nnf, delta, nnf.copy(), delta.copy()
+        )
+
+    @property
+    def nnf(self):
+        """For each source patch a target patch, ``radius`` added to its coordinates."""
+        return self.proposal.nnf
+
+    @property
+    def delta(self):
+        """Their δ."""
+        return self.proposal.delta
+
+    @property
+    def taken(self):
+        """``FREE`` or ``FIXED`` of every target patch, in the place of W."""
+        return self.proposal.omega_sums
 
     def improve(self, stream):
-        """One PatchMatch iteration; nothing follows the moves, so proposals are assignments."""
+        """One PatchMatch iteration; nothing follows the moves, so all that is proposed is taken."""
         passes = self.level.passes
         for distance in PROPAGATION_DISTANCES:
-            self._take(passes.propagation, distance)
-        self._take(passes.random_search, stream, max(self.level.delta.shape))
-
-    def _take(self, propose, *parameters):
-        propose(
-            self.textures, self.taken, self.taken_weight, self.level.patch_width,
-            self.nnf, self.delta, self.proposed_nnf, self.proposed_delta, *parameters,
-        )  # fmt: skip
-        self.nnf, self.proposed_nnf = self.proposed_nnf, self.nnf
-        self.delta, self.proposed_delta = self.proposed_delta, self.delta
+            passes.propagation(*self.proposal, distance)
+            self.proposal = self.proposal.taken()
+        passes.random_search(*self.proposal, stream, max(self.level.delta.shape))
+        self.proposal = self.proposal.taken()
 
     def settle(self, budget, limits):
         """Fix what the error budget covers.

@@ -1,8 +1,8 @@
-"""``stylize``: from images to a stylized image, with everything checked at the door."""
+"""``stylize``: from images to a stylized image in one call."""
 
 from collections.abc import Callable, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from numbers import Integral
 
 import numba
@@ -11,18 +11,12 @@ import numpy as np
 from stylit_ref.arrays import as_array
 from stylit_ref.errors import InputError
 from stylit_ref.machine.profiling import Profile
-from stylit_ref.metric.packing import ONE, make_packing
-from stylit_ref.stylization.backends import passes_of
-from stylit_ref.stylization.checks import (
-    as_image,
-    check_guides,
-    check_mask,
-    check_range,
-    fit_levels,
-)
-from stylit_ref.stylization.mask import active_patches, fill_masked
+from stylit_ref.metric.packing import ONE
+from stylit_ref.stylization.backends import find_backend
+from stylit_ref.stylization.mask import fill_masked
 from stylit_ref.stylization.params import Params
-from stylit_ref.stylization.synthesis import Step, texture_optimization
+from stylit_ref.stylization.problem import make_synthesis
+from stylit_ref.stylization.progress import Step
 
 
 @dataclass(frozen=True)
@@ -91,9 +85,11 @@ def stylize(
     fill : array like the output, optional
         What masked pixels show; without it they are transparent and the image gains
         an alpha channel if the style has none.
-    backend : {"cpu", "cuda", "auto"}
-        Where to compute; the bytes are the same. ``auto`` takes a GPU if there is one for the
-        method.
+    backend : {"cpu", "auto", "cuda", "cuda:shared_memory", "cuda:live", "cuda:live_sums"}
+        Where to compute. ``auto`` takes a GPU if there is one and the method has kernels.
+        All but the last two give the same bytes; ``cuda:shared_memory`` keeps target patches in
+        shared memory (thesis 5.1). The ``live`` ones change Ω while their kernels run, as in thesis
+        3.3, and no two of their runs are the same.
     threads : int, optional
         Threads to use; all by default.
     progress : callable, optional
@@ -113,70 +109,36 @@ def stylize(
         If arrays or parameters do not fit together; the message names the sizes.
     """
     params = params or Params()
-    passes = passes_of(backend, params)
-    passes = profile.passes(passes) if profile else passes
-    if not isinstance(seed, Integral) or not 0 <= seed < 1 << 64:
-        raise InputError(f"seed is {seed}; it must be an integer from 0 to 2**64 - 1")
-
-    style_image = as_image(style, "style")
-    if style_image.shape[2] > 4:
-        raise InputError(f"style has {style_image.shape[2]} channels; it must have 1 to 4")
-    sources = [as_image(guide, f"source guide {k}") for k, guide in enumerate(source_guides, 1)]
-    targets = [as_image(guide, f"target guide {k}") for k, guide in enumerate(target_guides, 1)]
-    check_guides(style_image, sources, targets)
-    guide_weights = params.guide_weights
-    if guide_weights is None:
-        guide_weights = (1.0,) * len(sources)
-    if params.method == "stylit":
-        params = replace(params, uniformity=0)  # the error budget takes its place
-    if len(guide_weights) != len(sources):
-        raise InputError(f"there are {len(guide_weights)} guide weights for {len(sources)} guides")
-
-    source_size, target_size = style_image.shape[:2], targets[0].shape[:2]
-    masked = mask is not None
-    mask = as_array(mask, "mask") if masked else np.zeros(target_size, bool)
-    check_mask(mask, fill, target_size, style_image.shape[2])
-    params = fit_levels(params, source_size, target_size)
-    packing = make_packing(
-        [guide.shape[2] for guide in sources],
-        style_image.shape[2],
-        params.guide_influence,
-        guide_weights,
-    )
-    synthesized = active_patches(mask, params.patch_width)
-    check_range(packing, params, source_size, int(np.count_nonzero(synthesized)))
-
+    found = find_backend(backend, params)
+    if profile:
+        found = found._replace(passes=profile.passes(found.passes))
     history, guide_maps = [], []
-
-    def on_step(step):
-        history.append(step)
-        if progress:
-            progress(step)
-
-    def report_level(number, level):
-        if params.method == "guide_map":
-            guide_maps.append(passes.download(level.textures.guide_map))
-        if on_level:
-            on_level(number, _shaped_like(style, level.style))
-
     with _threads(threads):
-        finest = texture_optimization(
-            passes,
-            packing.pack(sources, style_image),
-            packing.pack(targets),
-            synthesized,
-            packing,
-            params,
-            seed,
-            on_step,
-            report_level,
-        )
-    image = fill_masked(finest.style, mask, fill) if masked else finest.style
+        synthesis = make_synthesis(
+            style, source_guides, target_guides, params,
+            seed=seed, mask=mask, fill=fill, backend=found,
+        )  # fmt: skip
+        download = found.passes.download
+        for number in synthesis.level_numbers:
+            for step in synthesis.run_level(number):
+                history.append(step)
+                if progress:
+                    progress(step)
+            synthesis.exemplar.forget(synthesis.depth)  # no other run shares it
+            if params.traits.has_guide_map:
+                guide_maps.append(download(synthesis.level.textures.guide_map))
+            if on_level:
+                on_level(number, _shaped_like(style, synthesis.level.style))
+    finest = synthesis.level
+    image = (
+        finest.style if mask is None else fill_masked(finest.style, as_array(mask, "mask"), fill)
+    )
+    error = download(finest.delta) / ONE
     return Result(
         image=_shaped_like(style, image),
-        nnf=passes.download(finest.nnf),
-        omega=passes.download(finest.omega),
-        error=np.where(synthesized, passes.download(finest.delta) / ONE, np.nan).astype(np.float32),
+        nnf=download(finest.nnf),
+        omega=download(finest.omega),
+        error=np.where(finest.target.synthesized, error, np.nan).astype(np.float32),
         history=tuple(history),
         guide_maps=tuple(guide_maps),
     )
@@ -195,7 +157,7 @@ def _threads(threads):
         yield
         return
     if not isinstance(threads, Integral) or not 1 <= threads <= available:
-        raise InputError(f"threads is {threads}; this machine offers 1 to {available}")
+        raise InputError(f"is {threads}; this machine offers 1 to {available}", parameter="threads")
     before = numba.get_num_threads()
     numba.set_num_threads(threads)
     try:

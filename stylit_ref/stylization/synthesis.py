@@ -1,154 +1,167 @@
-"""Texture optimization, coarse to fine (thesis 2.3, 3.4).
+"""Texture optimization, coarse to fine, that can be entered at every step (thesis 2.3, 3.4)."""
 
-A sequence of passes, written once: the module of passes is an argument.
-"""
-
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Iterator
 
 import numpy as np
 
-from stylit_ref.metric.packing import Packing
 from stylit_ref.randomness.random_stream import RANDOM_NNF, random_stream
-from stylit_ref.stylization import schedules, stylit
+from stylit_ref.stylization.exemplar import Exemplar
 from stylit_ref.stylization.level import Level
-from stylit_ref.stylization.mask import downsample_mask
 from stylit_ref.stylization.params import Params
-
-SEARCHES = {
-    "ref": schedules.search,
-    "shared_memory": schedules.search,
-    "guide_map": schedules.search,
-    "stylit": stylit.search,
-}
-"""How the NNF is improved between two votes, by method."""
+from stylit_ref.stylization.progress import Step
+from stylit_ref.stylization.schedules import SCHEDULES
+from stylit_ref.stylization.target import Target
 
 
-@dataclass(frozen=True)
-class Step:
-    """Where a run stands after a step of a search: a PatchMatch iteration, or a retrieval.
+class Synthesis:
+    """TextureOptimization of thesis 2.3 and GPU_TextureOptimization of 3.4, step by step.
 
-    Attributes
-    ----------
-    level, levels : int
-        Pyramid level, 1 the coarsest, and their number.
-    height, width : int
-        Target size of the level.
-    vote : int
-        Counted from 1.
-    delta, penalization : float
-        Mean δ and mean λρ over the target patches; φ is their sum.
-    done : float
-        Share of the whole run's work, up to 1.
-    patchmatch_iteration : int
-        Counted from 1 after each vote.
-    moves : int or None
-        Changes of assignments (None where they are not counted).
-    retrieval : int or None
-        ``stylit``: source-to-target retrievals since the vote. The last step of a vote has their
-        number.
-    fixed : float or None
-        ``stylit``: share of the target patches that they have fixed since the vote.
-    """
+    A whole run is :meth:`run`, or in smaller steps::
 
-    level: int
-    levels: int
-    height: int
-    width: int
-    vote: int
-    delta: float
-    penalization: float
-    done: float
-    patchmatch_iteration: int
-    moves: int | None
-    retrieval: int | None
-    fixed: float | None
+        for number in synthesis.level_numbers:
+            synthesis.begin_level(number)
+            for _ in range(synthesis.votes):
+                synthesis.vote()
+                for step in synthesis.search():
+                    ...
+            synthesis.end_level()
 
-
-def texture_optimization(
-    passes,
-    source: np.ndarray,
-    target: np.ndarray,
-    synthesized: np.ndarray,
-    packing: Packing,
-    params: Params,
-    seed: int,
-    on_step: Callable[[Step], None],
-    on_level: Callable[[int, Level], None],
-) -> Level:
-    """TextureOptimization of thesis 2.3 and GPU_TextureOptimization of 3.4.
-
-    The thesis also upsamples B' to the next level; the vote that opens a level
-    overwrites it before anything reads it, so only the NNF is carried over.
+    Between two steps a caller may look at :attr:`level`, change its B' (a coherent sequence does),
+    or stop for good. Between two levels the NNF is all that is carried over.
 
     Parameters
     ----------
-    passes : module
-        :mod:`stylit_ref.passes`, or those of a GPU.
-    source, target : (H, W, C) uint8
-        Packed textures Ā and B̄.
-    synthesized : (H_B, W_B) bool
-        Target pixels whose patches take part.
-    packing : Packing
+    exemplar : Exemplar
+        May be shared with other runs.
+    target : Target
     params : Params
         ``levels`` must suit the sizes.
     seed : int
-    on_step : callable
-        Called after every step of a search.
-    on_level : callable
-        Called with a level's number and the level after its last vote.
+    iterate : callable, optional
+        A PatchMatch iteration in the place of that of ``params.schedule``.
 
-    Returns
-    -------
-    Level
-        The finest, voted.
+    Attributes
+    ----------
+    level : Level or None
+        That has been begun last.
+    level_number, vote_number : int
+        Its number, 1 the coarsest, and the votes since it began; 0 before.
     """
-    sources, targets, where = [passes.upload(source)], [passes.upload(target)], [synthesized]
-    for _ in range(params.levels - 1):
-        sources.append(passes.downsample(sources[-1]))
-        targets.append(passes.downsample(targets[-1]))
-        where.append(downsample_mask(where[-1]))
-    work = [np.count_nonzero(level_where) for level_where in where]
-    all_work = sum(pixels * params.votes_above(depth) for depth, pixels in enumerate(work))
-    search = SEARCHES[params.method]
 
-    done = 0
-    level = None
-    for level_number in range(1, params.levels + 1):
-        depth = params.levels - level_number
-        coarse_nnf = level.nnf if level else None
-        level = None  # makes room for the next
-        level = Level(passes, packing, params, sources[depth], targets[depth], where[depth])
-        source_size = sources[depth].shape[:2]
+    def __init__(
+        self, exemplar: Exemplar, target: Target, params: Params, seed: int = 0, iterate=None
+    ):
+        self.exemplar, self.target, self.params, self.seed = exemplar, target, params, seed
+        self.iterate = iterate or SCHEDULES[params.schedule]
+        self.level, self.level_number, self.vote_number = None, 0, 0
+        self._work = [
+            int(np.count_nonzero(target.synthesized(self._depth(number)))) * self._votes(number)
+            for number in self.level_numbers
+        ]
+
+    @property
+    def level_numbers(self) -> range:
+        """Numbers of all levels: random streams count them from 1, the coarsest."""
+        return range(1, self.params.levels + 1)
+
+    @property
+    def votes(self) -> int:
+        """Votes before the last one of the level that has been begun."""
+        return self._votes(self.level_number)
+
+    @property
+    def depth(self) -> int:
+        """Levels that are still finer: exemplar and target count from 0, the finest."""
+        return self._depth(self.level_number)
+
+    def begin_level(self, number: int) -> Level:
+        """Begin a level with the NNF of the level before, or a random one where there is none.
+
+        The thesis also upsamples B'; the vote that opens a level overwrites it before anything
+        reads it.
+        """
+        coarse_nnf = self.level.nnf if self.level else None
+        self.level = None  # makes room for the next
+        self.level_number, self.vote_number = number, 0
+        exemplar, target = self.exemplar.level(self.depth), self.target.level(self.depth)
+        level = Level(exemplar, target, self.params)
         if coarse_nnf is None:
-            stream = random_stream(seed, RANDOM_NNF, level_number)
-            passes.random_nnf(level.nnf, params.patch_width, *source_size, stream)
+            stream = random_stream(self.seed, RANDOM_NNF, number)
+            level.passes.random_nnf(level.nnf, level.patch_width, *exemplar.size, stream)
         else:
-            passes.upsample_nnf(coarse_nnf, level.nnf, params.patch_width, *source_size)
+            level.passes.upsample_nnf(coarse_nnf, level.nnf, level.patch_width, *exemplar.size)
         level.init_occurrence_map()
-        for vote in range(1, params.votes_above(depth) + 1):
-            level.vote()
-            level.update_moments()
-            for step in search(level, params, seed, level_number, vote):
-                delta, penalization = level.energy()
-                on_step(
-                    Step(
-                        level=level_number,
-                        levels=params.levels,
-                        height=level.nnf.shape[0],
-                        width=level.nnf.shape[1],
-                        vote=vote,
-                        delta=delta,
-                        penalization=penalization,
-                        done=(done + step.done * work[depth]) / all_work,
-                        patchmatch_iteration=step.patchmatch_iteration,
-                        moves=step.moves,
-                        retrieval=step.retrieval,
-                        fixed=step.fixed,
-                    )
-                )
-            done += work[depth]
-        level.vote()
-        level.init_occurrence_map()
-        on_level(level_number, level)
-    return level
+        self.level = level
+        return level
+
+    def vote(self) -> None:
+        """E-step: B' from the NNF."""
+        self.level.vote()
+        self.vote_number += 1
+
+    def search(self) -> Iterator[Step]:
+        """M-step: improve the NNF for B' as it stands.
+
+        Yields
+        ------
+        Step
+            After every PatchMatch iteration or retrieval.
+        """
+        self.level.update_moments()
+        steps = self.params.traits.search(
+            self.level, self.params, self.iterate, self.seed, self.level_number, self.vote_number
+        )
+        for step in steps:
+            delta, penalization = self.level.energy()
+            height, width = self.level.target.size
+            yield Step(
+                level=self.level_number,
+                levels=self.params.levels,
+                height=height,
+                width=width,
+                vote=self.vote_number,
+                delta=delta,
+                penalization=penalization,
+                done=self._done(step.done),
+                patchmatch_iteration=step.patchmatch_iteration,
+                moves=step.moves,
+                retrieval=step.retrieval,
+                fixed=step.fixed,
+            )
+
+    def end_level(self) -> Level:
+        """The last vote of a level, and Ω and W that belong to its NNF."""
+        self.level.vote()
+        self.level.init_occurrence_map()
+        return self.level
+
+    def run_level(self, number: int) -> Iterator[Step]:
+        """A level from beginning to end; :attr:`level` is finished when the generator is."""
+        self.begin_level(number)
+        for _ in range(self.votes):
+            self.vote()
+            yield from self.search()
+        self.end_level()
+
+    def run(self) -> Iterator[Step]:
+        """All levels; :attr:`level` is the finest and finished when the generator is."""
+        for number in self.level_numbers:
+            yield from self.run_level(number)
+
+    def finish(self) -> Level:
+        """Run all levels; returns the finest."""
+        for _ in self.run():
+            pass
+        return self.level
+
+    def _depth(self, number):
+        return self.params.levels - number
+
+    def _votes(self, number):
+        return self.params.votes_above(self._depth(number))
+
+    def _done(self, share):
+        """Share of the whole run's work when so much of a search is done."""
+        before, work = self._work[: self.level_number - 1], self._work[self.level_number - 1]
+        searches = (self.vote_number - 1 + share) / self.votes
+        return (sum(before) + searches * work) / sum(self._work)

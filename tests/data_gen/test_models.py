@@ -16,7 +16,17 @@ def edges(mesh):
     return np.unique(pairs, axis=0, return_counts=True)
 
 
-@pytest.fixture(scope="module", params=[*TARGETS, "sphere"])
+SCULPTURES = sorted(set(TARGETS) - {"teapot"})
+
+
+@pytest.fixture(
+    scope="module",
+    params=[
+        "teapot",
+        "sphere",
+        *(pytest.param(name, marks=pytest.mark.slow) for name in SCULPTURES),
+    ],
+)
 def mesh(request):
     return (TARGETS | {"sphere": sphere})[request.param]()
 
@@ -37,7 +47,8 @@ def test_normals_are_units_that_agree_with_the_faces(mesh):
     assert np.sign(agree) @ area > 0.999 * area.sum()
 
 
-@pytest.mark.parametrize("name", sorted(set(TARGETS) - {"teapot"}))
+@pytest.mark.slow
+@pytest.mark.parametrize("name", SCULPTURES)
 def test_sculptures_are_closed_and_look_outwards(name):
     mesh = TARGETS[name]()
     _, counts = edges(mesh)

@@ -27,6 +27,8 @@ from data_gen.stage import Material, house_scene, load, on_stage
 from data_gen.visibility import sees
 from data_gen.wireframe import wireframe
 
+pytestmark = pytest.mark.slow
+
 HEIGHT, WIDTH = 46, 60
 SAMPLES = 1024
 

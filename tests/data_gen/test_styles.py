@@ -6,6 +6,8 @@ import pytest
 from data_gen.guides import to_uint8
 from data_gen.styles import STYLES, subject
 
+pytestmark = pytest.mark.slow
+
 HEIGHT, WIDTH = 228, 300
 
 

@@ -28,7 +28,7 @@ from skimage.io import imsave
 from data_gen.guides import LIGHT_PASSES
 from data_gen.multilayer_exr import write_layers
 from data_gen.renderer import MissingRendererError, start
-from oracle.cases import STAGES
+from oracle.families import STYLIZATION
 from stylit_ref import Params, read_uint8
 from stylit_ref.files.bit_depth import to_linear
 from stylit_ref.metric.packing import ONE, make_packing
@@ -227,6 +227,7 @@ def check_flags(text):
                 assert set(re.findall(r"--[a-z-]+", line)) <= flags_of(module), line
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("page", [page for page in PAGES if list(blocks_of(page))])
 def test_the_commands_of_a_page_run(page, scratch):
     blocks = list(blocks_of(page))
@@ -249,6 +250,7 @@ def test_the_commands_of_a_page_run(page, scratch):
             check_flags(output)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("page", PAGES)
 def test_what_is_not_run_says_why(page):
     for block in blocks_of(page):
@@ -266,6 +268,7 @@ def test_fences_are_of_languages_that_are_looked_at(page):
         assert fence.info.split()[0] in LANGUAGES + NO_COMMANDS, fence.content
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("page", PAGES)
 def test_commands_within_a_text_have_the_targets_and_flags_they_name(page):
     makefile = (ROOT / "Makefile").read_text(encoding="utf-8")
@@ -293,7 +296,7 @@ def test_every_flag_on_the_page_on_ebsynth_is_there():
 def test_a_port_is_told_every_stage_in_order():
     page = (ROOT / "docs/how_to/writing_a_port.md").read_text(encoding="utf-8")
     rows = re.findall(r"^\| ([a-z_, ]+) \|", page.partition("## In which order")[2], re.MULTILINE)
-    assert tuple(", ".join(rows[1:]).split(", ")) == STAGES
+    assert tuple(", ".join(rows[1:]).split(", ")) == tuple(STYLIZATION.sections)
 
 
 def test_weights_on_the_page_on_ebsynth_are_equal():

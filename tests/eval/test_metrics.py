@@ -190,6 +190,7 @@ def test_flip_is_none_for_the_same_image_and_one_for_the_most_different():
     )
 
 
+@pytest.mark.slow
 def test_image_analogies_of_the_source_are_the_style():
     """Each pixel's neighbourhood is found again where it is."""
     rng = np.random.default_rng(2)
@@ -201,6 +202,7 @@ def test_image_analogies_of_the_source_are_the_style():
     assert facts["seconds"] > 0
 
 
+@pytest.mark.slow
 def test_coherence_continues_what_was_taken_before():
     """Smooth guides leave the choice open; the larger κ, the larger the pieces."""
     style, sources, targets = small_scene()

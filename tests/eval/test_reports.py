@@ -95,6 +95,7 @@ def data(tmp_path, monkeypatch):
     return data
 
 
+@pytest.mark.slow
 def test_scenes_report(data, tmp_path):
     assert main(["scenes", "--data", str(data)]) == 0
     report = tmp_path / "reports" / "scenes_small"
@@ -104,6 +105,7 @@ def test_scenes_report(data, tmp_path):
     assert len(pd.read_csv(report / "scenes.csv")) == 4
 
 
+@pytest.mark.slow
 def test_epsilon_report(folder, monkeypatch):
     monkeypatch.setattr("eval.epsilon_report.EPSILONS", (100, 10000))
     monkeypatch.setattr("eval.epsilon_report.MAPS_SHOWN", (100,))
@@ -123,6 +125,7 @@ def test_epsilon_report(folder, monkeypatch):
     assert (report / "epsilon.png").exists()
 
 
+@pytest.mark.slow
 def test_stylit_report(folder):
     assert main(["stylit", "--scene", str(folder), "--numbers"]) == 0
     report = folder.parent / "reports" / "stylit_small_44x38"
@@ -133,6 +136,7 @@ def test_stylit_report(folder):
     assert not (report / "stylit.png").exists()
 
 
+@pytest.mark.slow
 def test_spilling_report(data, tmp_path):
     assert main(["spilling", "--data", str(data), "--scene", "teapot/oil,teapot/pen"]) == 0
     report = tmp_path / "reports" / "spilling_small"
@@ -161,6 +165,7 @@ def test_a_run_is_computed_once(folder, monkeypatch):
         eval.runs.run(load_scene(folder, step=2), params, 0)
 
 
+@pytest.mark.slow
 def test_schedules_report(folder):
     arguments = ["--uniformities", "0", "50000", "--seeds", "0", "1"]
     assert main(["schedules", "--scene", str(folder), *arguments]) == 0
@@ -183,6 +188,7 @@ def test_ratios_judge_each_bar():
     assert list(ratios["usage, sharpness kept"]) == ["yes", "yes", "no"]
 
 
+@pytest.mark.slow
 def test_bench_measures_both_programs_alike(folder, capsys, monkeypatch):
     """With a program that copies the style in place of ebsynth."""
     monkeypatch.setattr("eval.bench.THESIS", {**THESIS, "levels": 1, "votes": 1})

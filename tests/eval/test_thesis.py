@@ -47,6 +47,7 @@ def folder(tmp_path_factory):
     return folder
 
 
+@pytest.mark.slow
 def test_every_table_and_figure_is_there(folder):
     written = {file.name for file in (folder / "report").iterdir()}
     per_target = (
@@ -66,6 +67,7 @@ def test_every_table_and_figure_is_there(folder):
     assert 'src="' not in page.replace('src="data:', "")
 
 
+@pytest.mark.slow
 def test_tables_have_published_and_own_numbers(folder):
     table = pd.read_csv(folder / "report" / "lambda_times_golem.csv").set_index("method")
     assert list(table.index) == ["StyLit", *(f"λ = {value}" for value in published.UNIFORMITIES)]
@@ -83,6 +85,7 @@ def test_tables_have_published_and_own_numbers(folder):
     assert quality["image_energy"].notna().sum() == 7
 
 
+@pytest.mark.slow
 def test_a_second_time_nothing_is_computed(folder, monkeypatch, capsys):
     monkeypatch.chdir(folder)
     monkeypatch.setattr(eval.scheduling, "compute", None)
@@ -93,6 +96,7 @@ def test_a_second_time_nothing_is_computed(folder, monkeypatch, capsys):
     assert (folder / "report" / "index.html").stat().st_mtime_ns == before
 
 
+@pytest.mark.slow
 def test_a_result_that_was_lost_or_damaged_is_computed_again_alone(folder, monkeypatch):
     monkeypatch.chdir(folder)
     plan = preset("quick", step=6, seeds=[0])
@@ -111,6 +115,7 @@ def test_a_result_that_was_lost_or_damaged_is_computed_again_alone(folder, monke
         np.testing.assert_array_equal(stored(job).image, image)
 
 
+@pytest.mark.slow
 def test_a_failing_run_is_named_and_the_others_are_kept(folder, monkeypatch, capsys):
     monkeypatch.chdir(folder)
     plan = preset("quick", step=7, targets=["hand"], seeds=[0])
@@ -129,6 +134,7 @@ def test_a_failing_run_is_named_and_the_others_are_kept(folder, monkeypatch, cap
     assert sum(stored(job) is not None for job in plan.jobs) == len(plan.jobs) - 1
 
 
+@pytest.mark.slow
 def test_a_users_own_scene_has_no_published_numbers(folder, monkeypatch, small_files):
     monkeypatch.chdir(folder)
     own, style = small_files
@@ -159,6 +165,7 @@ def test_bad_arguments_are_one_sentence(arguments, said, capsys):
     assert said in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_the_times_of_a_gpu_stand_beside_ours(folder, monkeypatch, tmp_path):
     monkeypatch.chdir(folder)
     settings = ["propose_commit, λ = 5000", "propose_commit, λ = 10000", "shared memory, λ = 10000"]
@@ -180,6 +187,7 @@ def test_the_times_of_a_gpu_stand_beside_ours(folder, monkeypatch, tmp_path):
     assert claims.loc["5.1.3", "verdict"] == HELD
 
 
+@pytest.mark.slow
 def test_a_cluster_survives_a_killed_worker(tmp_path, monkeypatch):
     """Two processes, one of which is killed at work."""
     from dask.distributed import Client, LocalCluster
@@ -202,6 +210,7 @@ def test_a_cluster_survives_a_killed_worker(tmp_path, monkeypatch):
     assert all(stored(job) is not None for job in plan.jobs)
 
 
+@pytest.mark.slow
 def test_a_scheduler_that_is_not_there_is_one_sentence(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("eval.scheduling.PATIENCE", "1s")

@@ -17,7 +17,7 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 from small_scene import small_scene
 
-import stylit_ref.stylization.stylize
+import stylit_ref.stylization.problem
 from data_gen.manifest import DataError, Manifest
 from eval.runs import read
 from stylit_ref import InputError, Params, read_image, replay, stylize, write_image
@@ -96,6 +96,7 @@ def only(name):
     return st.one_of(NUMBERS, ODDITIES).map(lambda value: {name: value})
 
 
+@pytest.mark.slow
 @generated(700, change=st.sampled_from(sorted(VALID)).flatmap(only))
 def test_a_parameter_is_taken_or_named(change):
     params, sentence = refusal(Params, **change)
@@ -105,6 +106,7 @@ def test_a_parameter_is_taken_or_named(change):
         as_plain_numbers(params)
 
 
+@pytest.mark.slow
 @generated(200, values=st.fixed_dictionaries({}, optional=VALID))
 def test_parameters_in_range_are_taken(values):
     as_plain_numbers(Params(**values))
@@ -132,7 +134,7 @@ def door(monkeypatch):
     def opened(*_):
         raise PassedError
 
-    monkeypatch.setattr(stylit_ref.stylization.stylize, "texture_optimization", opened)
+    monkeypatch.setattr(stylit_ref.stylization.problem, "Exemplar", opened)
 
 
 SIDES = st.integers(0, 8)
@@ -187,6 +189,7 @@ def scenes(draw):
     return *images, width
 
 
+@pytest.mark.slow
 @generated(700, scene=scenes())
 def test_images_pass_the_door_if_they_fit(door, scene):
     style, source, target, width = scene
@@ -199,6 +202,7 @@ def test_images_pass_the_door_if_they_fit(door, scene):
         assert any(word in sentence for word in ("style", "guide", "patch_width"))
 
 
+@pytest.mark.slow
 @generated(
     300,
     mask=st.one_of(
@@ -255,6 +259,7 @@ def runs(draw):
     return Params(**values), sizes, seed, masked
 
 
+@pytest.mark.slow
 @generated(200, run=runs())
 def test_a_run_keeps_what_it_promises(run):
     params, (source_size, target_size), seed, masked = run
@@ -291,6 +296,7 @@ def test_a_run_keeps_what_it_promises(run):
 # Replay
 
 
+@pytest.mark.slow
 @generated(
     250,
     nnf=st.one_of(
@@ -370,6 +376,7 @@ def npy_files(draw):
     return b"\x93NUMPY\x01\x00" + len(text).to_bytes(2, "little") + text + data
 
 
+@pytest.mark.slow
 @generated(250, content=npy_files())
 def test_a_damaged_field_is_replayed_or_refused(folder, content):
     (folder / "nnf.npy").write_bytes(content)
@@ -390,6 +397,7 @@ def test_a_damaged_field_is_replayed_or_refused(folder, content):
 # Files
 
 
+@pytest.mark.slow
 @generated(
     250,
     image=st.one_of(
@@ -436,6 +444,7 @@ def whole_files(folder):
         FILES[suffix] = (folder / f"whole.{suffix}").read_bytes()
 
 
+@pytest.mark.slow
 @generated(400, data=st.data(), suffix=st.sampled_from(["png", "tif", "exr", "jpg"]))
 def test_a_damaged_image_is_read_or_refused(whole_files, folder, data, suffix):
     file = folder / f"damaged.{suffix}"
@@ -448,6 +457,7 @@ def test_a_damaged_image_is_read_or_refused(whole_files, folder, data, suffix):
         assert image.dtype in (np.uint8, np.uint16, np.float32)
 
 
+@pytest.mark.slow
 @generated(
     250,
     name=st.one_of(
@@ -469,6 +479,7 @@ def test_a_path_is_refused_in_one_sentence(folder, name):
 # Stores
 
 
+@pytest.mark.slow
 @generated(
     150,
     data=st.data(),
@@ -498,6 +509,7 @@ JSON = st.recursive(
 )
 
 
+@pytest.mark.slow
 @generated(200, recipe=JSON, pieces=JSON)
 def test_a_foreign_manifest_names_nothing_outside_its_folder(folder, recipe, pieces):
     (folder / "manifest.json").write_text(json.dumps({"recipe": recipe, "pieces": pieces}))

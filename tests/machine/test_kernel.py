@@ -1,10 +1,18 @@
 """Kernels on disk: found again, told apart, and never stale."""
 
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import brute_force
 import numba
 import numpy as np
 import pytest
 
 import stylit_ref.machine.kernel
+from stylit_ref.machine.code_digest import imported_files
 from stylit_ref.machine.kernel import kernel
 
 
@@ -69,20 +77,102 @@ def test_a_kernel_lost_in_a_callback_is_used_and_not_kept(cache_folder, monkeypa
     assert run(make_kernel(6)) == (6, False)
 
 
-def test_another_source_makes_a_kernel_stale(monkeypatch):
+def make_caller(formula):
+    @kernel(parallel=False)
+    def store(array):
+        array[0] = formula(array[0])
+
+    return store
+
+
+def test_a_file_that_changed_after_the_start_is_neither_found_nor_kept(monkeypatch):
     run(make_kernel(1))
-    monkeypatch.setattr(stylit_ref.machine.kernel, "LIBRARY_DIGEST", "of a library with one edit")
+    monkeypatch.setattr(stylit_ref.machine.kernel, "STARTED", 0)
     assert run(make_kernel(1)) == (1, False)
+    monkeypatch.undo()
 
 
-def test_every_file_of_the_library_counts(tmp_path, monkeypatch):
-    package = tmp_path / "package"
-    (package / "formulae").mkdir(parents=True)
-    formula = package / "formulae" / "sum.py"
-    formula.write_text("a + b")
-    monkeypatch.setattr(
-        stylit_ref.machine.kernel, "__file__", str(package / "machine" / "kernel.py")
+def test_a_formula_from_elsewhere_counts(tmp_path):
+    """A factory that is handed a formula does not import the formula's file."""
+    store = make_caller(numba.njit(brute_force.mean))
+    files = imported_files(*stylit_ref.machine.kernel._files_of(store.py_func))
+    assert Path(brute_force.__file__) in files
+
+
+COUNT = """
+import numpy as np
+from {module} import {name} as loop
+array = np.arange(48, dtype=np.uint8).reshape(4, 4, 3)
+{call}
+hits, misses = (sum(getattr(loop.stats, f"cache_{{kind}}").values()) for kind in ("hits", "misses"))
+print(value, "from disk" if hits and not misses else "compiled")
+"""
+DOWNSAMPLE = COUNT.format(
+    module="stylit_ref.passes.pyramid",
+    name="_average_blocks",
+    call="half = np.zeros((2, 2, 3), np.uint8); loop(array, half); value = half[0, 0, 0]",
+)
+
+
+class Copy:
+    """A copy of the library that may be edited, its processes and their kernels on disk."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        shutil.copytree(
+            Path(stylit_ref.__file__).parent,
+            folder / "stylit_ref",
+            ignore=shutil.ignore_patterns("__pycache__"),
+        )
+
+    def run(self, program):
+        """What a program says in a process of its own."""
+        paths = {"PYTHONPATH": str(self.folder), "NUMBA_CACHE_DIR": str(self.folder / "kernels")}
+        done = subprocess.run(
+            [sys.executable, "-c", program],
+            cwd=self.folder,
+            env=os.environ | paths,
+            text=True,
+            capture_output=True,
+        )
+        assert done.returncode == 0, done.stderr
+        return done.stdout.strip()
+
+    def edit(self, file, old, new):
+        """Replace text of a file."""
+        file = self.folder / file
+        text = file.read_text(encoding="utf-8")
+        assert old in text
+        file.write_text(text.replace(old, new), encoding="utf-8")
+
+
+def test_an_edit_compiles_what_it_concerns_and_nothing_else(tmp_path):
+    library = Copy(tmp_path)
+    assert library.run(DOWNSAMPLE) == "8 compiled"
+    library.edit("stylit_ref/cli/example.py", '"""', '# A comment.\n"""')
+    library.edit("stylit_ref/formulae/rounding.py", "@njit", "# A comment.\n@njit")
+    library.edit("stylit_ref/stylization/stylit.py", "LEAST_PROGRESS = 1e-3", "LEAST_PROGRESS = 1")
+    assert library.run(DOWNSAMPLE) == "8 from disk"
+    library.edit("stylit_ref/formulae/rounding.py", "(total + 2) // 4", "(total + 6) // 4")
+    assert library.run(DOWNSAMPLE) == "9 compiled"
+
+
+def test_a_kernel_outside_the_library_is_never_stale(tmp_path):
+    library = Copy(tmp_path)
+    (tmp_path / "formula.py").write_text(
+        "from numba import njit\n\n@njit\ndef formula(x):\n    return x * 2\n"
     )
-    before = stylit_ref.machine.kernel._library_digest()
-    formula.write_text("a - b")
-    assert stylit_ref.machine.kernel._library_digest() != before
+    (tmp_path / "outside.py").write_text(
+        "from formula import formula\nfrom stylit_ref.machine.kernel import kernel\n\n"
+        "@kernel(parallel=False)\ndef double(array):\n    array[0] = formula(1) + 10 * 0\n"
+    )
+    program = COUNT.format(
+        module="outside", name="double",
+        call="value = np.zeros(1, np.int64); loop(value); value = value[0]",
+    )  # fmt: skip
+    assert library.run(program) == "2 compiled"
+    assert library.run(program) == "2 from disk"
+    library.edit("outside.py", "10 * 0", "10 * 1")
+    assert library.run(program) == "12 compiled"
+    library.edit("formula.py", "* 2", "* 3")
+    assert library.run(program) == "13 compiled"

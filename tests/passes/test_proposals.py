@@ -111,8 +111,12 @@ def test_random_search(case):
     assert improved > 0 or level.omega.shape == (5, 5)
 
 
-def test_equal_candidates_do_not_move():
+@pytest.mark.parametrize("apart", [0, 7])
+def test_equal_candidates_do_not_move(apart):
+    """Where φ is 0, which λρ alone decides, and where it is not."""
     level = make_level(**TIES)
+    level.textures.target[level.textures.target > 0] += apart
+    level.update_similarity()
     new_nnf, new_delta = proposals(level)
     passes.propagation(*metric(level), level.nnf, level.delta, new_nnf, new_delta, 1)
     np.testing.assert_array_equal(new_nnf, level.nnf)
@@ -120,6 +124,7 @@ def test_equal_candidates_do_not_move():
     np.testing.assert_array_equal(new_nnf, level.nnf)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("candidates", [propagated, searched])
 def test_the_cases_exercise_every_saving(candidates):
     """How often each early exit would be taken, by the plain formula, over the cases."""

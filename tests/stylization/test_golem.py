@@ -24,6 +24,7 @@ def test_it_is_the_scene_that_was_measured(golem):
     assert len(scene.guide_names) == 4
 
 
+@pytest.mark.slow
 def test_default_schedule_is_no_worse_than_sequential_live(scene):
     """DESIGN bar: φ and δ at most 2 % above; here on a quarter of the size."""
     default, live = (
@@ -37,6 +38,7 @@ def test_default_schedule_is_no_worse_than_sequential_live(scene):
     )
 
 
+@pytest.mark.slow
 def test_image_energy_follows_delta(scene):
     result = stylized(scene)
     energy = image_energy(scene, result.image)

@@ -31,6 +31,11 @@ def make_retrieval(**case):
     return level, Retrieval(level, random_stream(4, RETRIEVAL_NNF, 1, 1))
 
 
+def search(level, params):
+    """A search in a place of a run."""
+    return stylit.search(level, params, propose_commit, seed=3, level_number=1, vote=1)
+
+
 def errors_of(level):
     """δ of every target patch (first axis) with every source patch, by the definition."""
     radius = level.patch_width // 2
@@ -96,7 +101,7 @@ def test_a_small_source_searches_the_whole_target():
     level = make_level(uniformity=0, source_size=(7, 7), target_size=(60, 60))
     level.vote()
     level.update_moments()
-    *_, step = stylit.search(level, replace(PARAMS, fixed_share=0.3), 3, 1, 1)
+    *_, step = search(level, replace(PARAMS, fixed_share=0.3))
     assert step.fixed >= 0.3
     assert step.done == 1
 
@@ -108,7 +113,7 @@ def test_what_is_fixed_stays_until_the_vote(case):
     level.update_moments()
     patches = np.count_nonzero(level.nnf[:, :, 0] >= 0)
     found = None
-    for step in stylit.search(level, PARAMS, 3, 1, 1):
+    for step in search(level, PARAMS):
         if step.retrieval == 0:
             found = level.nnf.copy()
             assert step.fixed == 0
@@ -131,7 +136,7 @@ def test_a_retrieval_uses_every_source_patch_at_most_once():
     level.vote()
     level.update_moments()
     before, used = None, 0
-    for step in stylit.search(level, PARAMS, 3, 1, 1):
+    for step in search(level, PARAMS):
         if step.retrieval == 1:
             fixed = level.nnf[(level.nnf != before).any(axis=2)]
             used = len(fixed)
@@ -149,11 +154,11 @@ def test_patches_beyond_the_limit_are_not_fixed():
         either.update_moments()
     for iteration in (1, 2, 3):
         propose_commit(twin, 3, 1, 1, iteration)
-    *_, unlimited = stylit.search(make_level(uniformity=0, smooth=True), PARAMS, 3, 1, 1)
-    *_, step = stylit.search(level, replace(PARAMS, error_limit=1.0), 3, 1, 1)
+    *_, unlimited = search(make_level(uniformity=0, smooth=True), PARAMS)
+    *_, step = search(level, replace(PARAMS, error_limit=1.0))
     assert (level.delta <= twin.delta).all()
     assert step.fixed < unlimited.fixed
-    *_, step = stylit.search(twin, replace(PARAMS, error_limit=1e12), 3, 1, 1)
+    *_, step = search(twin, replace(PARAMS, error_limit=1e12))
     assert step.fixed >= PARAMS.fixed_share
 
 
@@ -162,7 +167,7 @@ def test_retrievals_that_fix_next_to_nothing_end(monkeypatch):
     level = make_level(uniformity=0, target_size=(30, 30))
     level.vote()
     level.update_moments()
-    steps = list(stylit.search(level, replace(PARAMS, budget=0.05, fixed_share=1.0), 3, 1, 1))
+    steps = list(search(level, replace(PARAMS, budget=0.05, fixed_share=1.0)))
     assert steps[-1].moves < 0.1 * 900
     assert all(step.moves >= 0.1 * 900 for step in steps[1:-1])
 

@@ -1,0 +1,37 @@
+"""Who makes the cases of a family, and how a version of them is written."""
+
+import shutil
+
+from oracle.cases import write_case, write_digests
+from oracle.families import FAMILY_OF, STYLIZATION, folder_of
+from oracle.make.stylization import stylization_cases
+from oracle.progress import progress
+from stylit_ref.errors import InputError
+
+MAKERS = {STYLIZATION.name: stylization_cases}
+"""``(version) -> cases``, by name of their family."""
+
+
+def make_version(version: str) -> None:
+    """Write the cases of a version, until it is published.
+
+    Raises
+    ------
+    InputError
+        If it is published or an older one, or if its schema is not there.
+    """
+    folder, family = folder_of(version), FAMILY_OF[version]
+    if (folder / "SHA256SUMS").exists() or version != family.versions[-1]:
+        raise InputError(
+            f"{version} is published and never changes; add a version to {family.name} in "
+            "oracle/families.py"
+        )
+    if not (folder / "case.schema.json").exists():
+        raise InputError(
+            f"{folder} needs its case.schema.json; begin with that of the version before"
+        )
+    for stage in folder.glob("*/"):
+        shutil.rmtree(stage)
+    for case in progress(MAKERS[family.name](version)):
+        write_case(case)
+    write_digests(version)

@@ -1,0 +1,178 @@
+"""Ports that need nothing of the library: a program, or a module with ``run_case``."""
+
+import contextlib
+import os
+import re
+import shlex
+import shutil
+import signal
+import subprocess
+import tempfile
+from importlib import import_module
+from pathlib import Path
+from types import ModuleType
+
+from oracle.cases import Case, CaseError, read_array, write_input
+from oracle.compare import NoPortError, NotOfferedError
+from stylit_ref.errors import InputError, one_line
+
+TIMEOUT = 60
+"""Seconds that a program may take for a case where nobody says otherwise."""
+
+EXIT_NOT_OFFERED = 77
+"""Exit code of a program that does not do the stage: that of a skipped test in Automake, Meson."""
+
+
+class CommandPort:
+    """A port that is a command, ``{input}`` and ``{output}`` in the places of two folders.
+
+    Parameters
+    ----------
+    command : str
+    timeout : float
+        Seconds that it may take for a case.
+
+    Raises
+    ------
+    InputError
+        If the command lacks one of them, there is no such program, or no such time.
+    """
+
+    def __init__(self, command: str, timeout: float = TIMEOUT):
+        if not timeout > 0:
+            raise InputError(f"is {timeout:g}; it must be above 0", parameter="timeout")
+        if "{input}" not in command or "{output}" not in command:
+            raise InputError(f"{command!r} must name {{input}} and {{output}}", parameter="port")
+        try:
+            self.words = shlex.split(command)
+        except ValueError as error:
+            raise InputError(f"{command!r} is no command: {error}", parameter="port") from None
+        if not shutil.which(self.words[0]):
+            program = self.words[0]
+            raise InputError(
+                f"{command!r}: there is no program {program!r} that can be run", parameter="port"
+            )
+        self.timeout = timeout
+
+    def __call__(self, case: Case) -> dict:
+        """The arrays that the program writes for a case."""
+        with tempfile.TemporaryDirectory(prefix="oracle-") as folder:
+            given, made = Path(folder) / "input", Path(folder) / "output"
+            write_input(case, given)
+            made.mkdir()
+            places = {"{input}": str(given), "{output}": str(made)}
+            filled = [_filled(word, places) for word in self.words]
+            _run(filled, Path(folder) / "said", self.timeout)
+            return {name: read_array(made / f"{name}.npy") for name in case.expected}
+
+
+def _filled(word, places):
+    for name, folder in places.items():
+        word = word.replace(name, folder)
+    return word
+
+
+def _run(words, log, timeout):
+    """Run a program and whatever it starts, for so long; what it says goes to a file."""
+    with log.open("wb") as said:
+        try:
+            program = subprocess.Popen(
+                words, stdin=subprocess.DEVNULL, stdout=said, stderr=said, start_new_session=True
+            )
+        except OSError as error:
+            raise NoPortError(f"{words[0]} cannot be started: {error.strerror}") from None
+        try:
+            code = program.wait(timeout)
+        except subprocess.TimeoutExpired:
+            raise CaseError(f"no end after {timeout:g} s") from None
+        finally:
+            with contextlib.suppress(ProcessLookupError):
+                os.killpg(program.pid, signal.SIGKILL)
+            program.wait()
+    if code == EXIT_NOT_OFFERED:
+        raise NotOfferedError
+    if code:
+        said = _complaint(log)
+        raise CaseError(f"{_end(code)}: {said}" if said else _end(code))
+
+
+def _end(code):
+    """How a program ended; some signals have no name."""
+    if code > 0:
+        return f"exit code {code}"
+    names = {known.value: known.name for known in signal.Signals}
+    return f"signal {names.get(-code, -code)}"
+
+
+_ERROR = re.compile(r"error|exception|panic|fatal|abort|assert|\bfault|terminate", re.IGNORECASE)
+
+
+def _complaint(log):
+    """What a program said when it failed, in one bounded line.
+
+    The first line that looks like an error, since what follows it is often a list of calls; and the
+    last three lines, since Python's error stands there.
+    """
+    with log.open("rb") as said:
+        first = next(filter(_ERROR.search, _lines(said.read(2**20))), None)
+        said.seek(max(0, log.stat().st_size - 4096))
+        last = _lines(said.read())[-3:]
+    end = " | ".join(last)
+    if len(end) <= 300 and (first is None or first in last):
+        return end
+    if first is None:
+        return f"...{end[-300:]}"
+    first = first if len(first) <= 150 else f"{first[:150]}..."
+    return f"{first} | ...{end[-150:]}" if len(end) > 150 else f"{first} | ... | {end}"
+
+
+def _lines(content):
+    """The lines of a text that are not empty."""
+    lines = (one_line(line).strip() for line in content.decode(errors="replace").split("\n"))
+    return [line for line in lines if line]
+
+
+class ModulePort:
+    """A port that is a Python module with ``run_case(stage, parameters, arrays)``.
+
+    Parameters
+    ----------
+    name : str
+
+    Raises
+    ------
+    InputError
+        If it cannot be imported.
+    """
+
+    def __init__(self, name: str):
+        self.name = name
+        import_port(name)
+
+    def __call__(self, case: Case) -> dict:
+        """The arrays that the module gives for a case."""
+        module = import_module(self.name)
+        try:
+            found = module.run_case(case.stage, case.parameters, dict(case.arrays))
+        except NotImplementedError:
+            raise NotOfferedError from None
+        if not isinstance(found, dict):
+            raise CaseError(
+                f"run_case returned {type(found).__name__}; it must be a dict of arrays"
+            )
+        return found
+
+
+def import_port(name: str) -> ModuleType:
+    """Import a module that a user names.
+
+    Raises
+    ------
+    InputError
+        If it cannot be imported.
+    """
+    try:
+        return import_module(name)
+    except (Exception, SystemExit) as error:
+        what = f"{type(error).__name__}: {error}"
+        raise InputError(f"{name!r} cannot be imported: {what}", parameter="module") from None

@@ -1,0 +1,60 @@
+"""What the library makes of every stage: by its own passes, or by another module's."""
+
+from types import ModuleType
+from typing import NamedTuple
+
+from oracle.families import STYLIZATION, Family
+from oracle.stages import runs, stylit, stylization
+from oracle.stages.stage import Stage
+from stylit_ref import passes as stylization_passes
+
+
+class System(NamedTuple):
+    """What does the stages of a family.
+
+    Attributes
+    ----------
+    passes : module
+        The library's own.
+    stages : dict of str to Stage
+    """
+
+    passes: ModuleType
+    stages: dict[str, Stage]
+
+
+SYSTEMS = {
+    STYLIZATION.name: System(stylization_passes, stylization.STAGES | runs.STAGES | stylit.STAGES),
+}
+"""By name of their family."""
+
+
+def is_offered(family: Family, stage: str, passes: ModuleType) -> bool:
+    """Whether a stage checks a module: it has the passes, or all of it is the library's own."""
+    system = SYSTEMS[family.name]
+    if passes is system.passes:
+        return True
+    needed = system.stages[stage].passes
+    return bool(needed) and all(hasattr(passes, name) for name in needed)
+
+
+def run_case(
+    family: Family, stage: str, parameters: dict, arrays: dict, passes: ModuleType
+) -> dict:
+    """Do a stage.
+
+    Parameters
+    ----------
+    family : Family
+    stage : str
+        One of the family's.
+    parameters : dict
+    arrays : dict of str to array
+    passes : module
+        The library's own, or another that offers the same.
+
+    Returns
+    -------
+    dict of str to array
+    """
+    return SYSTEMS[family.name].stages[stage].do(passes, parameters, arrays)

@@ -1,0 +1,94 @@
+"""Images that ``run`` reads."""
+
+import argparse
+from typing import NamedTuple
+
+import numpy as np
+
+from stylit_ref.errors import InputError
+from stylit_ref.files.read_image import read_guides, read_uint8
+from stylit_ref.stylization.checks import check_guides, check_mask
+
+
+class ImagesIn(NamedTuple):
+    """What a run is made of.
+
+    Attributes
+    ----------
+    style : (H_A, W_A, n) uint8
+    source_guides, target_guides : tuple of (H, W, c) uint8
+        Pairs with the same number of channels, of the style's size and of the target's.
+    mask : (H_B, W_B) bool or None
+    fill : (H_B, W_B, n) uint8 or None
+    """
+
+    style: np.ndarray
+    source_guides: tuple[np.ndarray, ...]
+    target_guides: tuple[np.ndarray, ...]
+    mask: np.ndarray | None
+    fill: np.ndarray | None
+
+
+def add_input_options(group):
+    """Add the options that name them."""
+    group.add_argument("--style", required=True, metavar="IMAGE", help="style exemplar")
+    group.add_argument(
+        "--guide", nargs=2, action="append", required=True, metavar=("SOURCE", "TARGET"),
+        help="a render pass of the exemplar's scene and of the target; repeat for each",
+    )  # fmt: skip
+    group.add_argument(
+        "--weight", type=float, action=_Weigh, dest="guide_weights", default={}, metavar="W",
+        help="weight of the guide before it among all guides (default 1)",
+    )  # fmt: skip
+    group.add_argument("--mask", metavar="IMAGE", help="target pixels to leave alone (white)")
+    group.add_argument(
+        "--fill", metavar="IMAGE", help="what masked pixels show (default: transparent)"
+    )
+
+
+def paths_in(options):
+    """Files that the options name, None among them."""
+    guides = (path for pair in options.guide for path in pair)
+    return [options.style, options.mask, options.fill, *guides]
+
+
+def read_images(options):
+    """Read the images and refuse those that do not fit together, by their files' names.
+
+    Parameters
+    ----------
+    options : argparse.Namespace
+        Of :func:`add_input_options`.
+
+    Returns
+    -------
+    ImagesIn
+
+    Raises
+    ------
+    InputError
+    """
+    if options.fill and not options.mask:
+        raise InputError("needs a --mask that says which pixels to fill", parameter="fill")
+    style = read_uint8(options.style)
+    pairs = [read_guides(source, target) for source, target in options.guide]
+    sources, targets = zip(*pairs, strict=True)
+    check_guides(style, sources, targets, *zip(*options.guide, strict=True))
+    mask = read_uint8(options.mask).mean(axis=2) >= 128 if options.mask else None
+    fill = read_uint8(options.fill) if options.fill else None
+    if mask is not None:
+        size, channels = targets[0].shape[:2], style.shape[2]
+        check_mask(mask, fill, size, channels, options.mask, options.fill)
+    return ImagesIn(style, sources, targets, mask, fill)
+
+
+class _Weigh(argparse.Action):
+    """``--weight`` belongs to the ``--guide`` before it: number of the guide to its weight."""
+
+    def __call__(self, parser, options, value, option_string=None):
+        weights = getattr(options, self.dest)
+        if not options.guide:
+            parser.error(f"{option_string} {value:g}: must follow the --guide it weighs")
+        if len(options.guide) - 1 in weights:
+            parser.error(f"{option_string} {value:g}: the --guide before it has a weight already")
+        setattr(options, self.dest, {**weights, len(options.guide) - 1: value})

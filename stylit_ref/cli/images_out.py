@@ -1,0 +1,78 @@
+"""Files that ``run`` writes: refused before it starts, written whole or not at all."""
+
+from pathlib import Path
+
+import numpy as np
+
+from stylit_ref.cli.images_in import paths_in
+from stylit_ref.files.nnf_file import check_nnf_writable, write_nnf
+from stylit_ref.files.output_file import check_distinct, check_folder
+from stylit_ref.files.write_image import check_image_writable, write_image
+
+_LEVEL, _GUIDE_MAP = "level_{}.png", "guide_map_{}.png"
+
+
+def add_output_options(group):
+    """Add the options that name them."""
+    group.add_argument("--output", required=True, metavar="IMAGE", help="stylized image to write")
+    group.add_argument("--nnf", metavar="FILE.npy", help="write the nearest-neighbour field")
+    group.add_argument(
+        "--save-levels",
+        metavar="DIR",
+        help="write the image of every level, 1 the coarsest; for guide_map also the maps",
+    )
+
+
+def check_outputs(options, params, images):
+    """Refuse files that cannot be written, or would overwrite others.
+
+    Parameters
+    ----------
+    options : argparse.Namespace
+        Of :func:`add_output_options` and of the images.
+    params : Params
+    images : ImagesIn
+
+    Raises
+    ------
+    InputError
+    """
+    channels = images.style.shape[2]
+    adds_alpha = images.mask is not None and images.fill is None and channels in (1, 3)
+    check_image_writable(options.output, channels + adds_alpha)
+    if options.nnf:
+        check_nnf_writable(options.nnf)
+    if options.save_levels:
+        check_folder(options.save_levels)
+    check_distinct(
+        [options.output, options.nnf, options.save_levels, *_level_files(options, params)],
+        paths_in(options),
+    )
+
+
+def save_level(options, level, image):
+    """Write the image of a level, where ``--save-levels`` asks for it."""
+    if options.save_levels:
+        folder = Path(options.save_levels)
+        folder.mkdir(parents=True, exist_ok=True)
+        write_image(folder / _LEVEL.format(level), image)
+
+
+def write_result(options, result):
+    """Write all that is left to write once a run is done."""
+    write_image(options.output, result.image)
+    if options.save_levels:
+        for level, white in enumerate(result.guide_maps, 1):
+            image = white[:, :, None].astype(np.uint8) * 255
+            write_image(Path(options.save_levels) / _GUIDE_MAP.format(level), image)
+    if options.nnf:
+        write_nnf(options.nnf, result.nnf)
+
+
+def _level_files(options, params):
+    """What ``--save-levels`` may write."""
+    if not options.save_levels:
+        return []
+    names = (_LEVEL, _GUIDE_MAP) if params.method == "guide_map" else (_LEVEL,)
+    numbers = range(1, params.levels + 1)
+    return [Path(options.save_levels) / name.format(k) for name in names for k in numbers]

@@ -1,0 +1,118 @@
+"""Images out through OpenImageIO: PNG, TIFF, JPEG, EXR, ..."""
+
+from pathlib import Path
+
+import numpy as np
+import OpenImageIO as oiio
+
+from stylit_ref.arrays import as_array
+from stylit_ref.errors import InputError
+from stylit_ref.files.bit_depth import to_linear, to_uint8
+from stylit_ref.files.image_file import read_pixels, reason_of
+from stylit_ref.files.output_file import check_writable, real_path, temporary_name, whole_file
+
+FLOAT_FORMATS = (".exr", ".hdr", ".pfm")
+"""Files that hold scene-linear floating point."""
+
+
+def write_image(path: str | Path, image: np.ndarray):
+    """Write an image, whole or not at all.
+
+    Integers go to a floating-point format as scene-linear light and floating point to
+    an integer format as 8-bit display values; otherwise the depth is kept as far as
+    the format goes (JPEG has 8 bits).
+
+    Parameters
+    ----------
+    path : str or Path
+        The suffix names the format.
+    image : (H, W) or (H, W, n) uint8, uint16 or float32
+        2 and 4 channels end in alpha, premultiplied.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be written.
+    """
+    path = Path(path)
+    image = np.ascontiguousarray(as_array(image, f"{path}: the image"))
+    image = image[:, :, None] if image.ndim == 2 else image
+    if image.ndim != 3 or 0 in image.shape:
+        raise InputError(
+            f"{path}: the image has shape {image.shape}; it must be (H, W) or (H, W, channels)"
+        )
+    height, width, channels = image.shape
+    if image.dtype not in (np.uint8, np.uint16, np.float32):
+        raise InputError(
+            f"{path}: the image has dtype {image.dtype}; it must be uint8, uint16 or float32"
+        )
+    check_image_writable(path, channels)
+    alpha_channel = channels - 1 if channels in (2, 4) else None
+    stored = str(image.dtype).replace("float32", "float")
+    if path.suffix.lower() in FLOAT_FORMATS and image.dtype != np.float32:
+        stored = "half" if image.dtype == np.uint8 else "float"
+        image = to_linear(image)
+    elif path.suffix.lower() not in FLOAT_FORMATS and image.dtype == np.float32:
+        stored = "uint8"
+        image = to_uint8(image, alpha_channel)
+
+    spec = oiio.ImageSpec(width, height, channels, stored)
+    if alpha_channel is not None:
+        spec.alpha_channel = alpha_channel
+        spec.channelnames = ("Y", "A") if channels == 2 else ("R", "G", "B", "A")
+    # Compression may not pay: allow for pixels as they are, 4 bytes in a floating-point file.
+    depth = 4 if stored == "float" else image.itemsize
+    with whole_file(path, image.size * depth * 9 // 8 + 2**16) as partial:
+        output = oiio.ImageOutput.create(str(partial))
+        written = output.open(str(partial), spec) and output.write_image(image)
+        if not (output.close() and written):
+            reason = reason_of(output.geterror() or oiio.geterror())
+            raise InputError(f"{path}: cannot be written: {reason}")
+        # Some writers fail without a word, on a full disk or for a size that they do not know.
+        if not _reads_back(partial, image.shape):
+            raise InputError(f"{path}: cannot be written: what was written cannot be read")
+
+
+def check_image_writable(path: str | Path, channels: int):
+    """Refuse early an output that :func:`write_image` could not write.
+
+    Parameters
+    ----------
+    path : str or Path
+    channels : int
+
+    Raises
+    ------
+    InputError
+    """
+    path = Path(path)
+    output = oiio.ImageOutput.create(str(path))
+    if output is None or output.format_name() in ("null", "term"):  # they write no file
+        oiio.geterror()
+        raise InputError(
+            f"{path}: no image format is known by the suffix '{path.suffix}'; "
+            "use .png, .tif or .exr"
+        )
+    if output.format_name() == "gif":
+        raise InputError(f"{path}: GIF files hold only 256 colours; use .png, .tif or .exr")
+    if channels in (2, 4) and not output.supports("alpha"):
+        raise InputError(
+            f"{path}: {output.format_name()} files have no transparency and the image has "
+            "an alpha channel; use .png, .tif or .exr"
+        )
+    check_writable(path)
+    with temporary_name(real_path(path)) as probe:
+        if not output.open(str(probe), oiio.ImageSpec(1, 1, channels, "uint8")):
+            raise InputError(f"{path}: cannot be written: {reason_of(output.geterror())}")
+        output.write_image(np.zeros((1, 1, channels), np.uint8))
+        output.close()
+
+
+def _reads_back(file, shape):
+    """Whether an image of that size can be read from the file."""
+    source = oiio.ImageInput.open(str(file))
+    if source is None:
+        oiio.geterror()
+        return False
+    pixels = read_pixels(source, 0, str(source.spec().format))
+    return pixels is not None and pixels.shape[:2] == shape[:2]

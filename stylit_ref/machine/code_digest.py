@@ -1,0 +1,164 @@
+"""What a piece of code depends on, as a digest: its files and all that they import.
+
+Comments, docstrings and layout do not count, nor do Python's own modules and other packages that
+are installed. A file counts whole: whoever calls one function of it depends on all of it. Only the
+``__init__`` of a package, which often imports everything, counts for what is taken from it alone.
+"""
+
+import ast
+import hashlib
+import sysconfig
+from functools import cache
+from importlib.util import find_spec
+from pathlib import Path
+from types import ModuleType
+from typing import NamedTuple
+
+INSTALLED = tuple(
+    Path(sysconfig.get_path(name)).resolve()
+    for name in ("stdlib", "platstdlib", "purelib", "platlib")
+)
+"""Folders of what is installed, whose versions others keep."""
+
+OWN = "stylit_ref", "gpu_cuda", "oracle", "data_gen", "eval"
+"""Packages of this project: they count wherever they are installed."""
+
+
+def code_digest(*roots: Path | str | ModuleType, without: tuple[str, ...] = ()) -> str:
+    """Identify the code of some files and of all that they import.
+
+    Parameters
+    ----------
+    *roots : Path, str or module
+        Python files, or modules that come from one.
+    without : tuple of str
+        Packages that do not count, though they are imported: code that is there to be called
+        on another occasion.
+
+    Returns
+    -------
+    str
+        64 hexadecimal digits, the same whatever the folder the code lies in.
+    """
+    digest = hashlib.sha256()
+    for name, file in sorted((name, file) for file, name in _all_reached(roots, without).items()):
+        digest.update(f"{name} {_source(file, name).digest}\n".encode())
+    return digest.hexdigest()
+
+
+def imported_files(*roots: Path | str | ModuleType) -> set[Path]:
+    """The files that :func:`code_digest` covers."""
+    return set(_all_reached(roots, ()))
+
+
+def _all_reached(roots, without):
+    names = {}
+    for root in roots:
+        file = Path(root.__file__ if isinstance(root, ModuleType) else root).resolve()
+        names |= _reached(file, without)
+    return names
+
+
+@cache
+def _reached(root, without):
+    """The file and all that it imports, each with the name of its module."""
+    reached, waiting = {}, [(root, _module_name(root))]
+    own = (*OWN, _module_name(root).partition(".")[0])
+    while waiting:
+        file, name = waiting.pop()
+        if file not in reached:
+            reached[file] = name
+            waiting += [
+                found
+                for module, wanted in _source(file, name).imports
+                if module.partition(".")[0] not in without
+                for found in _resolved(module, wanted, own)
+            ]
+    return reached
+
+
+def _module_name(file):
+    """Dotted name of a file's module, by the packages it lies in."""
+    parts = [] if file.stem == "__init__" else [file.stem]
+    for folder in file.parents:
+        if not (folder / "__init__.py").exists():
+            break
+        parts.insert(0, folder.name)
+    return ".".join(parts)
+
+
+class _Source(NamedTuple):
+    """What counts of a file: its syntax tree without docstrings, and where it imports what."""
+
+    digest: str
+    imports: list[tuple[str, str | None]]
+
+
+@cache
+def _source(file, name):
+    tree = ast.parse(file.read_bytes())
+    package = name if file.stem == "__init__" else name.rpartition(".")[0]
+    imports = []
+    for node in ast.walk(tree):
+        match node:
+            case ast.Import(names=names):
+                imports += [(alias.name, None) for alias in names]
+            case ast.ImportFrom(module=module, names=names, level=level):
+                parents = package.split(".")[: 1 - level or None] if level else []
+                origin = ".".join([*parents, *filter(None, [module])])
+                imports += [(origin, alias.name) for alias in names]
+            case (
+                ast.Module(body=[ast.Expr(ast.Constant(str())), *rest])
+                | ast.ClassDef(body=[ast.Expr(ast.Constant(str())), *rest])
+                | ast.FunctionDef(body=[ast.Expr(ast.Constant(str())), *rest])
+                | ast.AsyncFunctionDef(body=[ast.Expr(ast.Constant(str())), *rest])
+            ):
+                node.body = rest
+    return _Source(hashlib.sha256(ast.dump(tree).encode()).hexdigest(), imports)
+
+
+def _resolved(module, wanted, own):
+    """Files, with their modules' names, that an import makes a file depend on."""
+    file = _file(module, own)
+    if wanted is None:
+        return [(file, module)] if file else []
+    submodule = _file(f"{module}.{wanted}", own)
+    if submodule:
+        return [(submodule, f"{module}.{wanted}")]
+    if file is None:
+        return []
+    if file.stem == "__init__":  # what it passes on comes from elsewhere
+        for origin, name in _source(file, module).imports:
+            if name == wanted:
+                return _resolved(origin, name, own)
+    return [(file, module)]
+
+
+@cache
+def _file(module, own):
+    """The file of a module, None where it is installed or there is none."""
+    top, *rest = module.split(".")
+    try:
+        spec = find_spec(top)
+    except (ImportError, ValueError):
+        return None
+    if spec is None or not spec.origin or not spec.origin.endswith(".py"):
+        return None
+    place = Path(spec.origin).resolve()
+    if top not in own and any(folder in place.parents for folder in INSTALLED):
+        return None
+    for part in rest:
+        if place.stem != "__init__":
+            return None
+        folder = place.parent
+        place = next(
+            (
+                file
+                for file in (folder / part / "__init__.py", folder / f"{part}.py")
+                if file.exists()
+            ),
+            None,
+        )
+        if place is None:
+            return None
+    return place

@@ -1,0 +1,22 @@
+"""A module of passes with some of them exchanged."""
+
+from types import SimpleNamespace
+
+
+def replaced(passes, **own):
+    """Exchange some passes of a module.
+
+    Parameters
+    ----------
+    passes : module
+        :mod:`stylit_ref.passes`, or another that lists its passes in ``__all__``.
+    **own : callable
+        By name, what stands in the place of the module's own.
+
+    Returns
+    -------
+    types.SimpleNamespace
+        All passes of the module, with ``__all__``.
+    """
+    names = {name: getattr(passes, name) for name in passes.__all__}
+    return SimpleNamespace(**names | own, __all__=[*names, *sorted(own.keys() - names)])

@@ -1,0 +1,178 @@
+"""Kinds of parameters: what a value must be, in Python and as text on a command line.
+
+A class of parameters is a frozen dataclass whose fields are made by :func:`parameter`; each system
+has its own. The kind of a field refuses what does not fit and makes Python's own numbers of NumPy's
+and fractions: one value, one ``repr``.
+"""
+
+from dataclasses import dataclass, field
+from numbers import Integral, Real
+from typing import Any
+
+import numpy as np
+
+from stylit_ref.errors import InputError
+
+
+def parameter(default: Any, kind: Any, text: str) -> Any:
+    """Make a field of a class of parameters.
+
+    Parameters
+    ----------
+    default
+    kind : Integer, Number, Choice, ...
+    text : str
+        What the parameter is, in a few words, for a command line's help.
+    """
+    return field(default=default, metadata={"kind": kind, "text": text})
+
+
+@dataclass(frozen=True)
+class Integer:
+    """An integer from ``least`` to ``most``, odd where ``odd``; ``remark`` ends a refusal."""
+
+    least: int
+    most: int
+    odd: bool = False
+    remark: str = ""
+
+    def check(self, name, value):
+        """The value as an int."""
+        fits = isinstance(value, Integral) and self.least <= value <= self.most
+        if not fits or (self.odd and value % 2 == 0):
+            what = "an odd integer" if self.odd else "an integer"
+            raise InputError(
+                f"is {value}; it must be {what} from {self.least} to {self.most}{self.remark}",
+                parameter=name,
+            )
+        return int(value)
+
+    parse, described = int, "an integer"
+
+
+@dataclass(frozen=True)
+class Number:
+    """A number from ``least`` to ``most``."""
+
+    least: float
+    most: float
+
+    def check(self, name, value):
+        """The value as a float."""
+        if not isinstance(value, Real) or not self.least <= value <= self.most:
+            raise InputError(
+                f"is {value}; it must be a number from {self.least:g} to {self.most:g}",
+                parameter=name,
+            )
+        return float(value)
+
+    parse, described = float, "a number"
+
+
+@dataclass(frozen=True)
+class Share:
+    """A number above 0 and up to 1, or the ``word`` where there is one."""
+
+    word: str | None = None
+
+    def check(self, name, value):
+        """The value as a float, or the word."""
+        if self.word and isinstance(value, str) and value == self.word:
+            return value
+        if not isinstance(value, Real) or not 0 < value <= 1:
+            otherwise = f"{self.word!r} or " if self.word else ""
+            raise InputError(
+                f"is {value!r}; it must be {otherwise}a share above 0 and up to 1", parameter=name
+            )
+        return float(value)
+
+    def parse(self, text):
+        """The word, or a number."""
+        return text if text == self.word else float(text)
+
+    @property
+    def described(self):
+        """What text must be."""
+        return f"{self.word} or a number" if self.word else "a number"
+
+
+@dataclass(frozen=True)
+class Choice:
+    """One of some names."""
+
+    names: tuple[str, ...]
+
+    def check(self, name, value):
+        """The value."""
+        if not isinstance(value, str) or value not in self.names:
+            *others, last = map(repr, self.names)
+            raise InputError(
+                f"is {value!r}; it must be {', '.join(others)} or {last}", parameter=name
+            )
+        return value
+
+    parse, described = str, "a name"
+
+
+@dataclass(frozen=True)
+class OneOrSeveral:
+    """A value of a kind, or several of them."""
+
+    kind: Integer | Number
+
+    def check(self, name, value):
+        """The value, or a tuple of values."""
+        if not (_is_sequence(value) and len(value)):
+            return self.kind.check(name, value)
+        return tuple(self.kind.check(name, each) for each in value)
+
+    def parse(self, text):
+        """A value, or a tuple where there are commas."""
+        values = tuple(self.kind.parse(part) for part in text.split(","))
+        return values if len(values) > 1 else values[0]
+
+    @property
+    def described(self):
+        """What text must be."""
+        return f"{self.kind.described}, or several with commas between"
+
+
+@dataclass(frozen=True)
+class Several:
+    """A sequence of values of a kind, each called ``one`` and its number."""
+
+    kind: Integer | Number
+    one: str
+
+    def check(self, name, value):
+        """A tuple of values."""
+        if not _is_sequence(value):
+            raise InputError(f"is {value}; it must be a sequence", parameter=name)
+        return tuple(self.kind.check(f"{self.one} {k}", each) for k, each in enumerate(value, 1))
+
+
+@dataclass(frozen=True)
+class Optional:
+    """A value of a kind, or None."""
+
+    kind: Any
+
+    def check(self, name, value):
+        """The value, or None."""
+        return None if value is None else self.kind.check(name, value)
+
+    def parse(self, text):
+        """A value."""
+        return self.kind.parse(text)
+
+    @property
+    def described(self):
+        """What text must be."""
+        return self.kind.described
+
+
+def _is_sequence(value):
+    try:
+        return np.ndim(value) == 1
+    except ValueError:  # rows of different lengths
+        return False

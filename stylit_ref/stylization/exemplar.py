@@ -1,0 +1,103 @@
+"""What belongs to the source of a stylization: made once, shared by targets and runs."""
+
+from functools import cached_property
+from types import ModuleType
+
+import numpy as np
+
+from stylit_ref.formulae.guide_map import sums_dtype
+from stylit_ref.metric.packing import Packing
+
+
+class ExemplarLevel:
+    """One level of an exemplar: Ā and what follows from it, made when it is first asked for.
+
+    Parameters
+    ----------
+    passes : module
+    packing : Packing
+    patch_width : int
+    texture : (H_A, W_A, C) uint8
+        Ā, where the passes have it.
+    """
+
+    def __init__(self, passes, packing, patch_width, texture):
+        self.passes, self.packing, self.patch_width = passes, packing, patch_width
+        self.texture = texture
+
+    @property
+    def size(self):
+        """Rows and columns."""
+        return self.texture.shape[:2]
+
+    @cached_property
+    def moments(self):
+        """Moments of every patch, (H_A, W_A, moments) int16, at the patch's centre."""
+        moments = self.passes.moments_storage(*self.size, len(self.packing.moments))
+        self.passes.patch_moments(
+            self.texture, moments, self.patch_width, self.patch_width // 2,
+            self.packing.style_channel, self.packing.style_channels,
+        )  # fmt: skip
+        return moments
+
+    @cached_property
+    def guide_sums(self):
+        """M_A times w² (5.2.2): the guides' sums over each patch, (H_A, W_A, n) integers."""
+        shape = *self.size, self.packing.style_channel
+        sums = self.passes.zeros(shape, sums_dtype(self.patch_width))
+        self.passes.means(self.texture, sums, self.patch_width, self.patch_width // 2)
+        return sums
+
+
+class Exemplar:
+    """A style with its guides, and its pyramid.
+
+    Levels count from the finest, which has depth 0, since runs of fewer and of more levels share
+    them. What has been made of a level stays until :meth:`forget`.
+
+    Parameters
+    ----------
+    passes : module
+        :mod:`stylit_ref.passes`, or those of a GPU.
+    packing : Packing
+    patch_width : int
+    texture : (H_A, W_A, C) uint8
+        Packed texture Ā of the finest level, NumPy's.
+    """
+
+    def __init__(self, passes: ModuleType, packing: Packing, patch_width: int, texture: np.ndarray):
+        self.passes, self.packing, self.patch_width = passes, packing, patch_width
+        self._texture = texture
+        self._textures = [passes.upload(texture)]
+        self._levels = {}
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Rows and columns of the finest level."""
+        return self._texture.shape[:2]
+
+    def level(self, depth: int) -> ExemplarLevel:
+        """The level so many halvings below the finest (thesis 3.4)."""
+        while len(self._textures) <= depth:
+            self._textures.append(self.passes.downsample(self._textures[-1]))
+        if depth not in self._levels:
+            level = ExemplarLevel(
+                self.passes, self.packing, self.patch_width, self._textures[depth]
+            )
+            self._levels[depth] = level
+        return self._levels[depth]
+
+    def forget(self, depth: int) -> None:
+        """Give up what was made of a level but its texture: about four times as much memory."""
+        self._levels.pop(depth, None)
+
+    def repainted(self, style: np.ndarray) -> "Exemplar":
+        """The exemplar with another style of the same size over the same guides.
+
+        Parameters
+        ----------
+        style : (H_A, W_A, n) uint8
+        """
+        texture = self._texture.copy()
+        self.packing.style(texture)[:] = style
+        return Exemplar(self.passes, self.packing, self.patch_width, texture)

@@ -1,0 +1,77 @@
+"""The methods of stylization, and all that tells them apart."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from stylit_ref.stylization import schedules, stylit
+
+
+@dataclass(frozen=True)
+class Method:
+    """A method of stylization.
+
+    Attributes
+    ----------
+    name : str
+    text : str
+        What it is, in a few words.
+    search : callable
+        ``(level, params, iterate, seed, level_number, vote)``: improves the NNF between two votes,
+        a generator of :class:`stylit_ref.stylization.progress.SearchStep`.
+    heeds : tuple of str
+        Fields of :class:`stylit_ref.Params` that not every method heeds, but this one does.
+    has_guide_map : bool
+        Whether a level has a guide map (5.2).
+    schedules : tuple of str
+        How its PatchMatch may proceed (:mod:`stylit_ref.stylization.schedules`).
+    gpu_schedules : tuple of str
+        Those of them that run as CUDA kernels.
+    """
+
+    name: str
+    text: str
+    search: Callable
+    heeds: tuple[str, ...]
+    has_guide_map: bool = False
+    schedules: tuple[str, ...] = ("propose_commit",)
+    gpu_schedules: tuple[str, ...] = ("propose_commit",)
+
+    @property
+    def has_penalization(self) -> bool:
+        """Whether φ has the term λρ."""
+        return "uniformity" in self.heeds
+
+
+METHODS = {
+    method.name: method
+    for method in (
+        Method(
+            "ref",
+            "as in the thesis",
+            schedules.search,
+            heeds=("uniformity",),
+            schedules=("propose_commit", "scanline"),
+        ),
+        Method(
+            "guide_map",
+            "its approximation",
+            schedules.search,
+            heeds=("uniformity", "epsilon"),
+            has_guide_map=True,
+        ),
+        Method(
+            "stylit",
+            "by an error budget",
+            stylit.search,
+            heeds=("budget", "fixed_share", "error_limit"),
+            gpu_schedules=(),
+        ),
+    )
+}
+"""Every method, by name."""
+
+
+def heeded_by(name):
+    """Names of the methods that heed a parameter, None where all of them do."""
+    methods = [method.name for method in METHODS.values() if name in method.heeds]
+    return methods or None

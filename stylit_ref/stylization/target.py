@@ -1,0 +1,136 @@
+"""What belongs to the target of a stylization, and may serve several exemplars and runs."""
+
+from functools import cached_property
+from types import ModuleType
+
+import numpy as np
+
+from stylit_ref.formulae.guide_map import sums_dtype
+from stylit_ref.metric.packing import Packing
+from stylit_ref.stylization.mask import downsample_mask
+
+
+class TargetLevel:
+    """One level of a target as one run has it: its B' is written here.
+
+    Parameters
+    ----------
+    passes : module
+    packing : Packing
+    patch_width : int
+    texture : (H_B + 2 radius, W_B + 2 radius, C) uint8
+        B̄, where the passes have it, its edge pixels repeated ``radius`` times.
+    synthesized : (H_B, W_B) bool, optional
+        Pixels whose patches take part; all by default.
+    """
+
+    def __init__(self, passes, packing, patch_width, texture, synthesized=None):
+        self.passes, self.packing, self.patch_width = passes, packing, patch_width
+        self.texture = texture
+        self.synthesized = np.ones(self.size, bool) if synthesized is None else synthesized
+        self.weights = passes.upload(packing.weights)
+
+    @property
+    def size(self):
+        """Rows and columns of patches."""
+        return tuple(length - self.patch_width + 1 for length in self.texture.shape[:2])
+
+    @cached_property
+    def moments(self):
+        """Moments of every patch, (H_B, W_B, moments) int16, with B' as it was when last asked."""
+        moments = self.passes.moments_storage(*self.size, len(self.packing.moments))
+        self.passes.patch_moments(
+            self.texture, moments, self.patch_width, 0,
+            self.packing.style_channel, self.packing.style_channels,
+        )  # fmt: skip
+        return moments
+
+    def update_moments(self):
+        """Bring the moments up to date with B'."""
+        self.passes.patch_moments(
+            self.texture, self.moments, self.patch_width, 0,
+            self.packing.style_channel, self.packing.style_channels, style_only=True,
+        )  # fmt: skip
+
+    @cached_property
+    def guide_sums(self):
+        """M_B times w² (5.2.2): the guides' sums over each patch, (H_B, W_B, n) integers."""
+        shape = *self.size, self.packing.style_channel
+        sums = self.passes.zeros(shape, sums_dtype(self.patch_width))
+        self.passes.means(self.texture, sums, self.patch_width, 0)
+        return sums
+
+    def make_guide_map(self, epsilon):
+        """G at an ε (Evaluate_Map, 5.2.2), (H_B, W_B) bool."""
+        white = self.passes.zeros(self.size, np.bool_)
+        self.passes.guide_map(
+            self.texture, self.guide_sums, self.weights, self.patch_width, epsilon, white
+        )
+        return white
+
+    @property
+    def style(self):
+        """B' as it stands, (H_B, W_B, n) uint8, NumPy's."""
+        radius = self.patch_width // 2
+        texture = self.passes.download(self.texture)
+        return self.packing.style(texture)[radius:-radius, radius:-radius]
+
+    def set_style(self, image):
+        """Take an image, (H_B, W_B, n) uint8, for B'."""
+        radius = self.patch_width // 2
+        texture = self.passes.download(self.texture)
+        self.packing.style(texture)[:] = np.pad(
+            image, ((radius, radius), (radius, radius), (0, 0)), mode="edge"
+        )
+        self.texture = self.passes.upload(texture)
+
+
+class Target:
+    """The guides of a target, and their pyramid.
+
+    Levels count from the finest, which has depth 0.
+
+    Parameters
+    ----------
+    passes : module
+        :mod:`stylit_ref.passes`, or those of a GPU.
+    packing : Packing
+    patch_width : int
+    texture : (H_B, W_B, C) uint8
+        Packed texture B̄ of the finest level, NumPy's. Its style is B' until the first vote.
+    synthesized : (H_B, W_B) bool, optional
+        Pixels whose patches take part (:func:`stylit_ref.stylization.mask.active_patches`); all by
+        default.
+    """
+
+    def __init__(
+        self,
+        passes: ModuleType,
+        packing: Packing,
+        patch_width: int,
+        texture: np.ndarray,
+        synthesized: np.ndarray | None = None,
+    ):
+        self.passes, self.packing, self.patch_width = passes, packing, patch_width
+        self._textures = [passes.upload(texture)]
+        all_of_it = np.ones(texture.shape[:2], bool)
+        self._synthesized = [all_of_it if synthesized is None else synthesized]
+
+    def synthesized(self, depth: int) -> np.ndarray:
+        """Pixels of a level whose patches take part, (H_B, W_B) bool."""
+        while len(self._synthesized) <= depth:
+            self._synthesized.append(downsample_mask(self._synthesized[-1]))
+        return self._synthesized[depth]
+
+    def level(self, depth: int) -> TargetLevel:
+        """The level so many halvings below the finest (thesis 3.4), for one run to write into."""
+        while len(self._textures) <= depth:
+            self._textures.append(self.passes.downsample(self._textures[-1]))
+        radius = self.patch_width // 2
+        return TargetLevel(
+            self.passes,
+            self.packing,
+            self.patch_width,
+            self.passes.repeat_edge(self._textures[depth], radius),
+            self.synthesized(depth),
+        )

@@ -1,0 +1,22 @@
+"""Calls of the command line, at a small size."""
+
+from stylit_ref.cli import main
+
+QUICK = ["--pyramid-levels", "2", "--search-vote-iters", "1", "--patchmatch-iters", "1"]
+
+
+def run(folder, *more, style="style.png", guides=("source_{}.png", "target_{}.png")):
+    """Call ``run`` on the scene's files; ``more`` comes after them."""
+    command = ["run", "--style", f"{folder / style}", "--output", f"{folder / 'out.png'}"]
+    for k in range(2):
+        command += ["--guide", *(f"{folder / guide.format(k)}" for guide in guides)]
+    return main([*command, *QUICK, *map(str, more)])
+
+
+def refused(capsys, code):
+    """The one sentence a refusal printed."""
+    assert code == 2
+    message = capsys.readouterr().err.strip()
+    assert message.startswith("stylit-ref: ")
+    assert "\n" not in message
+    return message

@@ -1,0 +1,120 @@
+"""Options of ``run`` that shape the result."""
+
+import pytest
+from cli.calls import refused, run
+
+from stylit_ref import PRESETS, InputError, Params
+from stylit_ref.cli import main
+from stylit_ref.cli.methods import OFFERS
+
+
+@pytest.fixture
+def seen(monkeypatch):
+    """Parameters of the runs of method ``ref``, each ended where its work would start."""
+    seen = []
+
+    def spy(style, source_guides, target_guides, params, **_):
+        seen.append(params)
+        raise InputError("enough")
+
+    monkeypatch.setitem(OFFERS, "ref", OFFERS["ref"]._replace(run=spy))
+    return seen
+
+
+def test_every_method_flag_reaches_the_parameters(scene, seen):
+    folder = scene[0]
+    run(
+        folder, "--patch-size", 3, "--pyramid-levels", 1, "--search-vote-iters", 2,
+        "--patchmatch-iters", 3, "--uniformity", 7, "--guide-influence", 4,
+        "--schedule", "scanline", "--weight", 0.5,
+    )  # fmt: skip
+    assert seen == [
+        Params(
+            patch_width=3,
+            levels=1,
+            votes=2,
+            patchmatch_iterations=3,
+            uniformity=7,
+            guide_influence=4,
+            guide_weights=(1.0, 0.5),
+            schedule="scanline",
+        )
+    ]
+
+
+def test_presets_fill_in_what_is_not_said(scene, seen):
+    folder = scene[0]
+    command = ["run", "--style", f"{folder / 'style.png'}", "--output", f"{folder / 'out.png'}"]
+    command += ["--guide", f"{folder / 'source_0.png'}", f"{folder / 'target_0.png'}"]
+    for more in ([], ["--preset", "fast"], ["--preset", "fast", "--search-vote-iters", "3,9"]):
+        assert main([*command, *more]) == 2
+    assert seen == [
+        Params(guide_weights=(1.0,)),
+        Params(**PRESETS["fast"], guide_weights=(1.0,)),
+        Params(**(PRESETS["fast"] | {"votes": (3, 9)}), guide_weights=(1.0,)),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("flags", "message"),
+    [
+        (["--epsilon", 5], "--epsilon is for --method guide_map; the method is ref"),
+        (
+            ["--method", "stylit", "--uniformity", 5],
+            "--uniformity is for --method ref, guide_map; the method is stylit",
+        ),
+        (["--method", "guide_map", "--budget", 0.5], "--budget is for --method stylit"),
+        (["--method", "magic"], "--method is 'magic'; it must be"),
+        (["--method", "stylit", "--budget", 0], "--budget is 0.0; it must be 'hyperbola' or"),
+        (["--method", "stylit", "--error-limit", 0.5], "--error-limit is 0.5"),
+        (["--patch-size", 6], "--patch-size is 6; it must be an odd"),
+        (["--seed", -1], "--seed is -1"),
+        (["--save-levels", "/proc/levels"], "/proc/levels: cannot be made"),
+        (["--save-levels", "x" * 300], "cannot be made: File name too long"),
+        (["--method", "stylit", "--schedule", "scanline"], "--schedule is 'scanline'; it is for"),
+        (["--backend", "cuda:live", "--method", "stylit"], "has no kernels for a GPU"),
+    ],
+    ids=str,
+)
+def test_flags_that_do_not_go_together(scene, capsys, flags, message):
+    assert message in refused(capsys, run(scene[0], *flags))
+
+
+@pytest.mark.parametrize(
+    ("votes", "message"),
+    [
+        ("a", "--search-vote-iters: is 'a'; it must be an integer, or several with commas between"),
+        ("1,", "--search-vote-iters: is '1,'; it must be an integer, or"),
+        ("1,0", ": --search-vote-iters is 0;"),
+    ],
+)
+def test_votes_that_are_no_counts(capsys, votes, message):
+    command = ["run", "--style", "s", "--guide", "a", "b", "--output", "o"]
+    try:
+        code = main([*command, "--search-vote-iters", votes])
+    except SystemExit as stop:
+        code = stop.code
+    assert code == 2
+    said = capsys.readouterr().err.strip()
+    assert message in said
+    assert "\n" not in said
+
+
+def test_a_budget_that_is_no_number(capsys):
+    with pytest.raises(SystemExit) as stop:
+        main(["run", "--style", "s", "--guide", "a", "b", "--output", "o", "--budget", "all"])
+    assert stop.value.code == 2
+    assert "--budget: is 'all'; it must be hyperbola or a number" in capsys.readouterr().err
+
+
+@pytest.mark.usefixtures("nothing_written")
+class TestRefusals:
+    """One sentence, exit code 2, and no file."""
+
+    def test_even_patch(self, scene, capsys):
+        assert "odd" in refused(capsys, run(scene[0], "--patch-size", 4))
+
+    def test_patch_larger_than_the_image(self, scene, capsys):
+        message = refused(capsys, run(scene[0], "--patch-size", 41))
+        assert "41" in message
+        assert "46x40" in message

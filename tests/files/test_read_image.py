@@ -1,0 +1,117 @@
+"""Images in, from files that OpenImageIO itself wrote."""
+
+import numpy as np
+import OpenImageIO as oiio
+import pytest
+from exr_files import write_exr
+
+from stylit_ref import InputError, read_image, read_uint8, write_image
+from stylit_ref.files.read_image import read_guides
+
+
+def test_alpha_stays_linear(tmp_path):
+    write_exr(tmp_path / "a.exr", {"R": 0.5, "G": 0.5, "B": 0.5, "A": 0.5})
+    np.testing.assert_array_equal(read_uint8(tmp_path / "a.exr")[0, 0], [188, 188, 188, 128])
+
+
+def test_opaque_alpha_is_dropped(tmp_path, image):
+    write_image(tmp_path / "a.png", np.dstack([image, np.full((6, 8), 255, np.uint8)]))
+    np.testing.assert_array_equal(read_uint8(tmp_path / "a.png"), image)
+
+
+def test_display_window_is_what_is_read(tmp_path):
+    """A crop in the file lies where it belongs, with zeros around it."""
+    file = write_exr(tmp_path / "a.exr", {"R": 1, "G": 1, "B": 1}, data_window=(2, 1, 12, 10))
+    image = read_image(file)
+    assert image.shape == (10, 12, 3)
+    expected = np.zeros((10, 12))
+    expected[1:7, 2:10] = 1
+    np.testing.assert_array_equal(image[:, :, 0], expected)
+
+
+@pytest.mark.parametrize("place", [(0, 0), (2, 1), (-3, -1), (4, -2), (9, 9)])
+@pytest.mark.parametrize("orientation", range(9))
+def test_images_are_upright_in_their_display_window(tmp_path, orientation, place):
+    """As by OpenImageIO's own operations."""
+    spec = oiio.ImageSpec(6, 4, 3, "float")
+    spec.full_width, spec.full_height = 7, 5
+    spec.x, spec.y = place
+    spec.attribute("Orientation", orientation)
+    image = oiio.ImageBuf(spec)
+    image.set_pixels(image.roi, np.random.default_rng(0).random((4, 6, 3), np.float32))
+    image.write(str(tmp_path / "a.exr"))
+    expected = oiio.ImageBufAlgo.crop(image, roi=image.roi_full)
+    if orientation:  # 0 is what some files have that do not know
+        expected = oiio.ImageBufAlgo.reorient(expected)
+    np.testing.assert_array_equal(read_image(tmp_path / "a.exr"), expected.get_pixels("float"))
+
+
+@pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
+def test_not_finite(tmp_path, value):
+    plane = np.zeros((6, 8), np.float32)
+    plane[2, 5] = value
+    file = write_exr(tmp_path / "a.exr", {"R": plane, "G": 0, "B": 0})
+    with pytest.raises(InputError, match=r"a.exr: 1 pixels are NaN or infinite.*\(2, 5\)"):
+        read_uint8(file)
+
+
+def test_integer_layers_are_refused(tmp_path):
+    spec = oiio.ImageSpec(8, 6, 1, "uint")
+    spec.channelnames = ("ID.Y",)
+    output = oiio.ImageOutput.create(str(tmp_path / "a.exr"))
+    output.open(str(tmp_path / "a.exr"), spec)
+    output.write_image(np.full((6, 8, 1), 3, np.uint32))
+    output.close()
+    with pytest.raises(InputError, match="holds uint"):
+        read_image(tmp_path / "a.exr")
+
+
+def test_clipping_is_said(tmp_path):
+    file = write_exr(tmp_path / "a.exr", {"N.X": -1.0, "N.Y": 0.5, "N.Z": 0.5})
+    with pytest.warns(UserWarning, match="33% of the values lie outside"):
+        read_uint8(file)
+
+
+class TestGuides:
+    def read(self, tmp_path, source, target):
+        write_image(tmp_path / "s.png", source)
+        write_image(tmp_path / "t.png", target)
+        return read_guides(tmp_path / "s.png", tmp_path / "t.png")
+
+    def test_alpha_is_kept_in_both_if_one_is_transparent(self, tmp_path, image):
+        alpha = np.tile([0, 255], (6, 4)).astype(np.uint8)
+        rgba = np.dstack([image * (alpha > 0)[..., None], alpha])
+        source, target = self.read(tmp_path, image, rgba)
+        np.testing.assert_array_equal(source, np.dstack([image, np.full((6, 8), 255)]))
+        np.testing.assert_array_equal(target, rgba)
+
+    def test_opaque_alpha_is_dropped_from_both(self, tmp_path, image):
+        rgba = np.dstack([image, np.full((6, 8), 255, np.uint8)])
+        source, target = self.read(tmp_path, rgba, image)
+        np.testing.assert_array_equal(source, image)
+        np.testing.assert_array_equal(target, image)
+
+    def test_grey_is_spread_beside_colour(self, tmp_path, image):
+        source, target = self.read(tmp_path, image[:, :, 0], image)
+        np.testing.assert_array_equal(source, image[:, :, :1].repeat(3, axis=2))
+        np.testing.assert_array_equal(target, image)
+
+
+def test_unreadable_inputs(tmp_path):
+    (tmp_path / "text.png").write_text("no image")
+    for path, message in (
+        (tmp_path / "none.png", "none.png: no such file"),
+        (f"{tmp_path / 'none.exr'}:LDE", "none.exr: no such file"),
+        (tmp_path, "is a folder"),
+        (tmp_path / "text.png", "text.png: cannot be read"),
+    ):
+        with pytest.raises(InputError, match=message):
+            read_image(path)
+
+
+def test_truncated_file(tmp_path, image):
+    write_image(tmp_path / "a.png", image)
+    whole = (tmp_path / "a.png").read_bytes()
+    (tmp_path / "a.png").write_bytes(whole[: len(whole) // 2])
+    with pytest.raises(InputError, match="cannot be read"):
+        read_image(tmp_path / "a.png")

@@ -1,0 +1,122 @@
+"""Images out, and in again."""
+
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import OpenImageIO as oiio
+import pytest
+
+from stylit_ref import InputError, read_image, read_uint8, write_image
+from stylit_ref.files.write_image import check_image_writable
+
+
+@pytest.mark.parametrize("suffix", ["png", "tif", "exr"])
+@pytest.mark.parametrize("channels", [1, 2, 3, 4])
+def test_eight_bits_come_back(tmp_path, suffix, channels):
+    rng = np.random.default_rng(0)
+    image = rng.integers(0, 256, (6, 8, channels), dtype=np.uint8)
+    if channels in (2, 4):  # premultiplied, with whole transparency or none: PNG rounds others
+        image[..., -1:] = 255 * (rng.random((6, 8, 1)) < 0.5)
+        image[..., :-1] *= image[..., -1:] // 255
+    write_image(tmp_path / f"a.{suffix}", image)
+    np.testing.assert_array_equal(read_uint8(tmp_path / f"a.{suffix}"), image)
+
+
+def test_threads_write_into_one_folder(tmp_path):
+    def write(value):
+        write_image(tmp_path / f"{value}.png", np.full((40, 50, 3), value, np.uint8))
+
+    with ThreadPoolExecutor(8) as threads:
+        list(threads.map(write, range(80)))
+    assert len(list(tmp_path.iterdir())) == 80
+    for value in range(80):
+        assert (read_image(tmp_path / f"{value}.png") == value).all()
+
+
+@pytest.mark.parametrize("suffix", ["png", "tif"])
+def test_sixteen_bits_come_back(tmp_path, suffix):
+    image = np.random.default_rng(0).integers(0, 65536, (6, 8, 3), dtype=np.uint16)
+    write_image(tmp_path / f"a.{suffix}", image)
+    again = read_image(tmp_path / f"a.{suffix}")
+    assert again.dtype == np.uint16
+    np.testing.assert_array_equal(again, image)
+    expected = np.floor(image / 257 + 0.5)
+    np.testing.assert_array_equal(read_uint8(tmp_path / f"a.{suffix}"), expected)
+
+
+def test_float_comes_back(tmp_path):
+    image = np.random.default_rng(0).uniform(-1, 9, (6, 8, 3)).astype(np.float32)
+    write_image(tmp_path / "a.exr", image)
+    np.testing.assert_array_equal(read_image(tmp_path / "a.exr"), image)
+
+
+def test_two_dimensional_and_strided_images(tmp_path, image):
+    write_image(tmp_path / "a.png", image[:, ::2, 1])
+    np.testing.assert_array_equal(read_image(tmp_path / "a.png")[:, :, 0], image[:, ::2, 1])
+
+
+@pytest.mark.parametrize("dtype", [np.float64, np.int32, bool])
+def test_other_depths_are_not_written(tmp_path, image, dtype):
+    with pytest.raises(InputError, match=f"a.png: the image has dtype {np.dtype(dtype)}"):
+        write_image(tmp_path / "a.png", image.astype(dtype))
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_link_stays_a_link(tmp_path, image):
+    write_image(tmp_path / "real.png", image)
+    (tmp_path / "link.png").symlink_to(tmp_path / "real.png")
+    write_image(tmp_path / "link.png", 255 - image)
+    assert (tmp_path / "link.png").is_symlink()
+    np.testing.assert_array_equal(read_image(tmp_path / "real.png"), 255 - image)
+
+
+def test_a_format_that_cannot_hold_the_image_is_refused_early(tmp_path, image):
+    with pytest.raises(InputError, match=r"a\.hdr: cannot be written"):
+        check_image_writable(tmp_path / "a.hdr", 1)
+    check_image_writable(tmp_path / "a.png", 1)
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(
+    ("name", "message"),
+    [
+        ("none/a.png", "folder .*none does not exist"),
+        ("a.xyz", "no image format is known by the suffix '.xyz'"),
+        ("a", "suffix ''"),
+        ("a.gif", "256 colours"),
+        ("taken.png", "is a folder"),
+    ],
+)
+def test_unwritable_outputs(tmp_path, image, name, message):
+    (tmp_path / "taken.png").mkdir()
+    with pytest.raises(InputError, match=message):
+        write_image(tmp_path / name, image)
+    assert [file.name for file in tmp_path.iterdir()] == ["taken.png"]
+
+
+def test_jpeg_has_no_alpha(tmp_path, image):
+    with pytest.raises(InputError, match="jpeg files have no transparency"):
+        write_image(tmp_path / "a.jpg", np.dstack([image, image[:, :, 0]]))
+
+
+def test_an_interrupted_write_leaves_the_old_file(tmp_path, image, monkeypatch):
+    file = tmp_path / "a.png"
+    write_image(file, image)
+    before = file.read_bytes()
+
+    class Interrupted:
+        def __init__(self, output):
+            self.output = output
+
+        def __getattr__(self, name):
+            return getattr(self.output, name)
+
+        def write_image(self, pixels):
+            raise KeyboardInterrupt
+
+    create = oiio.ImageOutput.create
+    monkeypatch.setattr(oiio.ImageOutput, "create", lambda path: Interrupted(create(path)))
+    with pytest.raises(KeyboardInterrupt):
+        write_image(file, 255 - image)
+    assert file.read_bytes() == before
+    assert list(tmp_path.iterdir()) == [file]

@@ -1,0 +1,61 @@
+"""The interface of ports: a module of passes in another language is called by these names.
+
+A change here breaks every foreign module of passes. Parameter names count too: callers may use
+them as keywords.
+"""
+
+import inspect
+
+from stylit_ref import passes
+from stylit_ref.metric.textures import Textures
+
+PASSES = """\
+box_sum(values, patch_width)
+commit(nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, patch_width, stream, moves)
+count_assignments(nnf, source_size)
+download(array)
+downsample(image)
+energy(nnf, delta, omega_sums)
+guide_map(texture, sums, weights, patch_width, epsilon, white)
+invert_nnf(nnf, delta, patch_width, inverse, inverse_delta)
+means(texture, sums, patch_width, first)
+moments_storage(height, width, lanes)
+occurrence_map(nnf, omega, omega_sums, patch_width)
+patch_moments(texture, moments, patch_width, first, style_channel, style_channels, style_only=False)
+propagation(textures, omega_sums, occurrence_weight, patch_width, nnf, delta, new_nnf, new_delta, distance)
+random_nnf(nnf, patch_width, source_height, source_width, stream)
+random_search(textures, omega_sums, occurrence_weight, patch_width, nnf, delta, new_nnf, new_delta, stream, side=None)
+repeat_edge(image, radius)
+replay_vote(style, means, nnf, patch_width, scale)
+scanline(source, target, weights, omega, occurrence_weight, patch_width, nnf, stream, reverse)
+settle_claims(claims, errors, last_error, last_claims, limits, taken, patch_width, nnf, delta)
+similarity(textures, patch_width, nnf, delta)
+upload(array)
+upsample_nnf(coarse_nnf, nnf, patch_width, source_height, source_width)
+vote(source, target, nnf, patch_width, style_channel, style_channels, outliers=0)
+wait()
+zeros(shape, dtype)
+"""  # noqa: E501
+
+TEXTURES = (
+    "(source, target, source_moments, target_moments, weights, pair_weights, moment_weights, "
+    "guide_map=None, source_sums=None, target_sums=None, style_pair_weights=None)"
+)
+
+
+def signature(function):
+    """Names, order and defaults of the parameters; annotations are free to change."""
+    found = inspect.signature(getattr(function, "py_func", function))
+    plain = [
+        parameter.replace(annotation=parameter.empty) for parameter in found.parameters.values()
+    ]
+    return str(found.replace(parameters=plain, return_annotation=found.empty))
+
+
+def test_passes_are_called_by_these_names():
+    lines = [f"{name}{signature(getattr(passes, name))}\n" for name in sorted(passes.__all__)]
+    assert "".join(lines) == PASSES
+
+
+def test_textures_have_these_fields_in_this_order():
+    assert signature(Textures) == TEXTURES

@@ -1,0 +1,132 @@
+"""The fast tests catch mistakes: each of these, made in a copy of the checkout, fails them."""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+
+CHECKOUT = Path(__file__).parents[1]
+PACKAGES = ("stylit_ref", "gpu_cuda", "eval", "data_gen", "oracle", "tests")
+
+
+class Mutation(NamedTuple):
+    """One line of a file that becomes wrong, and the tests that tell it best."""
+
+    file: str
+    right: str
+    wrong: str
+    tests: str
+
+
+MUTATIONS = {
+    "an equal candidate replaces": Mutation(
+        "stylit_ref/metric/fast_metric.py",
+        "if penalty + delta >= best_phi:",
+        "if penalty + delta > best_phi:",
+        "tests/passes/test_proposals.py::test_equal_candidates_do_not_move",
+    ),
+    "clamped a pixel too far": Mutation(
+        "stylit_ref/formulae/candidates.py",
+        "x = clamp(neighbour_x - dx, radius, source_width - 1 - radius)",
+        "x = clamp(neighbour_x - dx, radius, source_width - radius)",
+        "tests/formulae/test_candidates.py",
+    ),
+    "a neighbour's assignment shifted on instead of back": Mutation(
+        "stylit_ref/formulae/candidates.py",
+        "y = clamp(neighbour_y - dy, radius,",
+        "y = clamp(neighbour_y + dy, radius,",
+        "tests/formulae/test_candidates.py",
+    ),
+    "half rounded down": Mutation(
+        "stylit_ref/formulae/rounding.py",
+        "return (total + 2) // 4",
+        "return (total + 1) // 4",
+        "tests/passes/test_pyramid.py",
+    ),
+    "a wrong word of Philox": Mutation(
+        "stylit_ref/randomness/philox.py",
+        "c3 = np.uint32(product_0 &",
+        "c3 = np.uint32(product_1 &",
+        "tests/randomness/test_philox.py",
+    ),
+    "W follows the last class of a commit alone": Mutation(
+        "stylit_ref/passes/commit.py",
+        "if not occurrence_weight:",
+        "if not occurrence_weight or n < order.shape[0] - 1:",
+        "tests/passes/test_commit.py::test_commit_takes_what_lowers_phi_class_by_class"
+        "[{'uniformity': 100000}]",
+    ),
+    "patches on the first row do not vote": Mutation(
+        "stylit_ref/passes/vote.py",
+        "not (0 <= y + dy < height and",
+        "not (0 < y + dy < height and",
+        "tests/passes/test_vote.py::test_vote_is_the_mean_rounded_half_up[{}]",
+    ),
+    "a random search over twice the distance": Mutation(
+        "stylit_ref/passes/random_search.py",
+        "radii = ((side or max(delta.shape)) // 2).bit_length()",
+        "radii = (side or max(delta.shape)).bit_length()",
+        "tests/passes/test_proposals.py::test_random_search[{}]",
+    ),
+    "the means' part of δ rounded to the nearest": Mutation(
+        "stylit_ref/formulae/guide_map.py",
+        "return guides // (patch_width * patch_width) + style_ssd(",
+        "return (guides + patch_width) // (patch_width * patch_width) + style_ssd(",
+        "tests/passes/test_guide_map.py::test_delta_of_white_patches_compares_means"
+        "[{'smooth': True}]",
+    ),
+    "a later claim wins a tie": Mutation(
+        "stylit_ref/passes/claims.py",
+        "or error < delta[target_y, target_x]:",
+        "or error <= delta[target_y, target_x]:",
+        "tests/passes/test_claims.py",
+    ),
+}
+
+
+@pytest.fixture(scope="module")
+def checkout(tmp_path_factory):
+    """A copy of what the tests need."""
+    copy = tmp_path_factory.mktemp("checkout")
+    for package in PACKAGES:
+        shutil.copytree(
+            CHECKOUT / package, copy / package, ignore=shutil.ignore_patterns("__pycache__")
+        )
+    shutil.copy(CHECKOUT / "pyproject.toml", copy)
+    return copy
+
+
+def fast_tests(checkout, tests):
+    """Exit code and output of those of the tests that are fast, up to the first failure."""
+    call = [
+        sys.executable, "-m", "pytest", "-x", "-m", "not slow", "-p", "no:cacheprovider", *tests,
+    ]  # fmt: skip
+    cache = {"NUMBA_CACHE_DIR": str(checkout / "kernels")}
+    run = subprocess.run(call, cwd=checkout, env=os.environ | cache, capture_output=True, text=True)
+    return run.returncode, run.stdout + run.stderr
+
+
+@pytest.mark.slow
+def test_the_copy_passes(checkout):
+    code, said = fast_tests(checkout, {mutation.tests for mutation in MUTATIONS.values()})
+    assert code == pytest.ExitCode.OK, said
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("mistake", MUTATIONS)
+def test_a_mistake_is_caught(checkout, mistake):
+    file, right, wrong, tests = MUTATIONS[mistake]
+    original = (checkout / file).read_text(encoding="utf-8")
+    assert original.count(right) == 1, f"{file} has changed: adapt this mutation"
+    (checkout / file).write_text(original.replace(right, wrong), encoding="utf-8")
+    try:
+        code, said = fast_tests(checkout, [tests])
+    finally:
+        (checkout / file).write_text(original, encoding="utf-8")
+    assert code == pytest.ExitCode.TESTS_FAILED, said
+    assert re.search(r"^1 failed", said, re.MULTILINE), said
