@@ -11,9 +11,9 @@ from functools import lru_cache
 import numpy as np
 from numba import cuda
 
-from gpu_cuda.formulae import commit_order, penalization
+from gpu_cuda.formulae import commit_order, take_proposal
 from gpu_cuda.host.device import device_function, launch_cooperative
-from gpu_cuda.patch_penalization import make_atomic_updates
+from gpu_cuda.patch_penalization import update_omega_sums
 from stylit_ref.randomness.commit_classes import CLASS_STRIDE
 
 CLASSES = CLASS_STRIDE**2
@@ -26,45 +26,18 @@ def class_size(size, first):
 
 
 @device_function
-def decide(nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, y, x):
-    """Take up the proposal if φ falls, and leave the old assignment in its place; 1 if so.
-
-    A proposal that is not taken up becomes the assignment: NNF' differs where one moved.
-    """
-    old_y, old_x = nnf[y, x, 0], nnf[y, x, 1]
-    new_y, new_x = proposed_nnf[y, x, 0], proposed_nnf[y, x, 1]
-    if old_y == new_y and old_x == new_x:
-        return 0
-    old_phi = delta[y, x] + penalization(omega_sums, occurrence_weight, old_y, old_x)
-    new_phi = proposed_delta[y, x] + penalization(omega_sums, occurrence_weight, new_y, new_x)
-    proposed_nnf[y, x, 0], proposed_nnf[y, x, 1] = old_y, old_x
-    if new_phi >= old_phi:
-        return 0
-    nnf[y, x, 0], nnf[y, x, 1] = new_y, new_x
-    delta[y, x] = proposed_delta[y, x]
-    return 1
-
-
-@lru_cache
-def make_follow(patch_width):
-    """Compile the other half of a move: W follows it."""
-    _, update_omega_sums = make_atomic_updates(patch_width)
-
-    @device_function
-    def follow(nnf, proposed_nnf, omega_sums, y, x):
-        new_y, new_x = nnf[y, x, 0], nnf[y, x, 1]
-        old_y, old_x = proposed_nnf[y, x, 0], proposed_nnf[y, x, 1]
-        if old_y != new_y or old_x != new_x:
-            update_omega_sums(omega_sums, new_y, new_x, 1)
-            update_omega_sums(omega_sums, old_y, old_x, -1)
-
-    return follow
+def follow(nnf, proposed_nnf, omega_sums, patch_width, y, x):
+    """The other half of a move: W follows it."""
+    new_y, new_x = nnf[y, x, 0], nnf[y, x, 1]
+    old_y, old_x = proposed_nnf[y, x, 0], proposed_nnf[y, x, 1]
+    if old_y != new_y or old_x != new_x:
+        update_omega_sums(omega_sums, patch_width, new_y, new_x, 1)
+        update_omega_sums(omega_sums, patch_width, old_y, old_x, -1)
 
 
 @lru_cache
 def make_kernel(patch_width):
     """Compile the cooperative kernel for a patch width."""
-    follow = make_follow(patch_width)
 
     @cuda.jit
     def commit_kernel(
@@ -83,7 +56,7 @@ def make_kernel(patch_width):
             for k in range(thread, pixels, threads):
                 y = first_y + CLASS_STRIDE * (k // columns)
                 x = first_x + CLASS_STRIDE * (k % columns)
-                moved += decide(
+                moved += take_proposal(
                     nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, y, x
                 )
             if occurrence_weight:
@@ -91,7 +64,7 @@ def make_kernel(patch_width):
                 for k in range(thread, pixels, threads):
                     y = first_y + CLASS_STRIDE * (k // columns)
                     x = first_x + CLASS_STRIDE * (k % columns)
-                    follow(nnf, proposed_nnf, omega_sums, y, x)
+                    follow(nnf, proposed_nnf, omega_sums, patch_width, y, x)
                 grid.sync()
         if moved:
             cuda.atomic.add(moves, 0, moved)

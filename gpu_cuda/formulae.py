@@ -1,13 +1,21 @@
 """The formulae as kernels call them: none is written again here."""
 
 from gpu_cuda.host.device import formula
-from stylit_ref.formulae import candidates, patch_penalization, rounding
+from stylit_ref.formulae import (
+    candidates,
+    improve_assignment,
+    patch_penalization,
+    rounding,
+    search_radii,
+    voting,
+)
 from stylit_ref.formulae import guide_map as guide_maps
 from stylit_ref.randomness import commit_classes, philox, random_stream
 
 block_mean = formula(rounding.block_mean)
 commit_order = formula(commit_classes.commit_order)
-patch_omega = formula(patch_penalization.patch_omega)
+distance_from_mean = formula(voting.distance_from_mean)
+omega_sum = formula(patch_penalization.omega_sum)
 patch_sum = formula(guide_maps.patch_sum)
 penalization = formula(patch_penalization.penalization)
 propagation_candidate = formula(candidates.propagation_candidate)
@@ -15,5 +23,11 @@ random_candidate = formula(candidates.random_candidate)
 random_words = formula(random_stream.random_words)
 rounded_mean = formula(rounding.rounded_mean)
 scaled_variance = formula(guide_maps.scaled_variance)
+search_draw = formula(search_radii.search_draw)
+search_radius = formula(search_radii.search_radius)
+search_words = formula(search_radii.search_words)
+take_proposal = formula(improve_assignment.take_proposal)
 uniform_below = formula(philox.uniform_below)
 upsampled_assignment = formula(candidates.upsampled_assignment)
+voted_pixel = formula(voting.voted_pixel)
+votes_kept = formula(voting.votes_kept)

@@ -16,5 +16,5 @@ def means_kernel(texture, sums, patch_width, first):
 
 
 def means(texture, sums, patch_width, first):
-    """As :func:`stylit_ref.passes.guide_sums`, on device arrays."""
+    """As :func:`stylit_ref.passes.means`, on device arrays."""
     launch(means_kernel, texture.shape[:2], texture, sums, patch_width, first)

@@ -1,12 +1,11 @@
 """What the kernels of the search need of the textures."""
 
-from functools import cache, lru_cache
 from typing import NamedTuple
 
 import numpy as np
-from numba import cuda
 
 from gpu_cuda.host.device import BLOCK, launch
+from gpu_cuda.host.memory import kept_on_device
 from gpu_cuda.patch_ssd import WORD_CHANNELS
 
 
@@ -29,6 +28,13 @@ class MetricConstants(NamedTuple):
     weighted_channels: int
     mean_channels: int
 
+    @classmethod
+    def of(cls, textures, patch_width):
+        """Those of a level's textures."""
+        mean_channels = 0 if textures.guide_map is None else textures.source_sums.shape[2]
+        weighted_channels = 2 * (1 + int(np.flatnonzero(textures.pair_weights)[-1]))
+        return cls(patch_width, textures.source.shape[2], weighted_channels, mean_channels)
+
     @property
     def radius(self):
         """Patch radius."""
@@ -45,22 +51,18 @@ class MetricConstants(NamedTuple):
         return -(-self.weighted_channels // WORD_CHANNELS)
 
 
-def metric_constants(textures, patch_width):
-    """The constants of a level's metric."""
-    mean_channels = 0 if textures.guide_map is None else textures.source_sums.shape[2]
-    weighted_channels = 2 * (1 + int(np.flatnonzero(textures.pair_weights)[-1]))
-    return MetricConstants(patch_width, textures.source.shape[2], weighted_channels, mean_channels)
-
-
 def metric_arrays(textures):
     """Ā, B̄, weights, G, M_B and M_A, as kernels take them.
 
-    The textures are flat arrays of words; without a guide map the last three are stand-ins.
+    The textures are flat arrays of words. Without a guide map nothing reads the last three: Ā
+    stands in for them.
     """
     means = textures.guide_map, textures.target_sums, textures.source_sums
     if textures.guide_map is None:
-        means = _no_means()
-    weights = _pair_weights(textures.pair_weights.tobytes())
+        source = textures.source
+        sums = source.view(np.uint16)
+        means = source.reshape(1, source.size).view(np.bool_), sums, sums
+    weights = kept_on_device(textures.pair_weights)
     return words(textures.source), words(textures.target), weights, *means
 
 
@@ -75,18 +77,7 @@ def launch_search(
 ):  # fmt: skip
     """Run Kernel_Propagation or Kernel_RandomSearch; ``parameters`` are its last arguments."""
     launch(
-        make_kernel(metric_constants(textures, patch_width), block, shared), delta.shape,
+        make_kernel(MetricConstants.of(textures, patch_width), block, shared), delta.shape,
         *metric_arrays(textures), omega_sums, occurrence_weight,
         nnf, delta, new_nnf, new_delta, *parameters, block=block,
     )  # fmt: skip
-
-
-@lru_cache
-def _pair_weights(values):
-    return cuda.to_device(np.frombuffer(values, np.uint32))
-
-
-@cache
-def _no_means():
-    sums = cuda.to_device(np.zeros((1, 1, 1), np.uint16))
-    return cuda.to_device(np.zeros((1, 1), np.bool_)), sums, sums

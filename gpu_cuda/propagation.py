@@ -37,7 +37,8 @@ def make_kernel(constants, block=BLOCK, shared=False):
         patch = target_patch(target, width, y, x)
         if y >= height or x >= width:
             return
-        metric = source, weights, guide_map, target_sums, source_sums
+        source_height, source_width = omega_sums.shape
+        metric = source, source_width, weights, guide_map, target_sums, source_sums
         best_y, best_x, best_delta = nnf[y, x, 0], nnf[y, x, 1], delta[y, x]
         if best_y >= 0:
             best_phi = best_delta + penalization(omega_sums, occurrence_weight, best_y, best_x)
@@ -49,10 +50,10 @@ def make_kernel(constants, block=BLOCK, shared=False):
                     continue
                 candidate_y, candidate_x = propagation_candidate(
                     nnf[near_y, near_x, 0], nnf[near_y, near_x, 1], dy, dx,
-                    radius, omega_sums.shape[0], omega_sums.shape[1],
+                    radius, source_height, source_width,
                 )  # fmt: skip
                 best_y, best_x, best_delta, best_phi = improve_proposal(
-                    metric, patch, omega_sums, occurrence_weight, y, x,
+                    (metric, patch), omega_sums, occurrence_weight, y, x,
                     candidate_y, candidate_x, best_y, best_x, best_delta, best_phi,
                 )  # fmt: skip
         new_nnf[y, x, 0], new_nnf[y, x, 1], new_delta[y, x] = best_y, best_x, best_delta

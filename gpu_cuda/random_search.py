@@ -4,11 +4,19 @@ from functools import lru_cache
 
 from numba import cuda
 
-from gpu_cuda.formulae import penalization, random_candidate, random_words
+from gpu_cuda.formulae import (
+    penalization,
+    random_candidate,
+    random_words,
+    search_draw,
+    search_radius,
+    search_words,
+)
 from gpu_cuda.host.device import BLOCK, compiled_for, formula
 from gpu_cuda.improve_proposal import make_improve_proposal
 from gpu_cuda.metric import launch_search
 from gpu_cuda.target_patches import make_target_patch
+from stylit_ref.formulae.search_radii import number_of_radii
 
 
 @lru_cache
@@ -21,31 +29,29 @@ def make_kernel(constants, block=BLOCK, shared=False):
     @compiled_for(block)
     def random_search_kernel(
         source, target, weights, guide_map, target_sums, source_sums, omega_sums,
-        occurrence_weight, nnf, delta, new_nnf, new_delta, stream, side,
+        occurrence_weight, nnf, delta, new_nnf, new_delta, stream, radii,
     ):  # fmt: skip
         x, y = cuda.grid(2)
         height, width = delta.shape
         patch = target_patch(target, width, y, x)
         if y >= height or x >= width:
             return
-        metric = source, weights, guide_map, target_sums, source_sums
+        source_height, source_width = omega_sums.shape
+        metric = source, source_width, weights, guide_map, target_sums, source_sums
         best_y, best_x, best_delta = nnf[y, x, 0], nnf[y, x, 1], delta[y, x]
         if best_y >= 0:
             best_phi = best_delta + penalization(omega_sums, occurrence_weight, best_y, best_x)
-            search_radius, k = 1, 0
-            while search_radius <= side // 2:
-                words = random_words(stream, y * width + x, k // 2)
-                first = k % 2 == 0
+            for k in range(radii):
+                draw = random_words(stream, y * width + x, search_draw(k))
+                word_y, word_x = search_words(draw, k)
                 candidate_y, candidate_x = random_candidate(
-                    words[0] if first else words[2], words[1] if first else words[3],
-                    nnf[y, x, 0], nnf[y, x, 1], search_radius,
-                    radius, omega_sums.shape[0], omega_sums.shape[1],
+                    word_y, word_x, nnf[y, x, 0], nnf[y, x, 1], search_radius(k),
+                    radius, source_height, source_width,
                 )  # fmt: skip
                 best_y, best_x, best_delta, best_phi = improve_proposal(
-                    metric, patch, omega_sums, occurrence_weight, y, x,
+                    (metric, patch), omega_sums, occurrence_weight, y, x,
                     candidate_y, candidate_x, best_y, best_x, best_delta, best_phi,
                 )  # fmt: skip
-                search_radius, k = 2 * search_radius, k + 1
         new_nnf[y, x, 0], new_nnf[y, x, 1], new_delta[y, x] = best_y, best_x, best_delta
 
     return random_search_kernel
@@ -58,5 +64,5 @@ def random_search(
     """As :func:`stylit_ref.passes.random_search`, on device arrays."""
     launch_search(
         make_kernel, textures, omega_sums, occurrence_weight, patch_width,
-        nnf, delta, new_nnf, new_delta, stream, side or max(delta.shape),
+        nnf, delta, new_nnf, new_delta, stream, number_of_radii(side or max(delta.shape)),
     )  # fmt: skip

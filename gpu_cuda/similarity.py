@@ -6,7 +6,7 @@ from numba import cuda
 
 from gpu_cuda.host.device import formula, launch
 from gpu_cuda.improve_proposal import NO_LIMIT, make_assignment_delta
-from gpu_cuda.metric import metric_arrays, metric_constants
+from gpu_cuda.metric import MetricConstants, metric_arrays
 from gpu_cuda.target_patches import make_target_patch
 
 
@@ -23,9 +23,9 @@ def make_kernel(constants):
         x, y = cuda.grid(2)
         height, width = delta.shape
         if y < height and x < width and nnf[y, x, 0] >= 0:
-            metric = source, weights, guide_map, target_sums, source_sums
+            metric = source, source_width, weights, guide_map, target_sums, source_sums
             delta[y, x] = assignment_delta(
-                metric, source_width, target_patch(target, width, y, x), y, x,
+                metric, target_patch(target, width, y, x), y, x,
                 nnf[y, x, 0], nnf[y, x, 1], NO_LIMIT,
             )  # fmt: skip
 
@@ -34,5 +34,5 @@ def make_kernel(constants):
 
 def similarity(textures, patch_width, nnf, delta):
     """As :func:`stylit_ref.passes.similarity`, on device arrays."""
-    kernel = make_kernel(metric_constants(textures, patch_width))
+    kernel = make_kernel(MetricConstants.of(textures, patch_width))
     launch(kernel, delta.shape, *metric_arrays(textures), textures.source.shape[1], nnf, delta)

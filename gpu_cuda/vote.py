@@ -5,7 +5,7 @@ from functools import lru_cache
 import numpy as np
 from numba import cuda
 
-from gpu_cuda.formulae import rounded_mean
+from gpu_cuda.formulae import distance_from_mean, rounded_mean, voted_pixel, votes_kept
 from gpu_cuda.host.device import launch
 
 
@@ -29,26 +29,23 @@ def make_kernel(patch_width, style_channels, outliers):
             for near_x in range(max(x - radius, 0), min(x + radius + 1, width)):
                 if nnf[near_y, near_x, 0] < 0:
                     continue
-                source_y = nnf[near_y, near_x, 0] + y - near_y
-                source_x = nnf[near_y, near_x, 1] + x - near_x
+                source_y, source_x = voted_pixel(nnf, y, x, near_y, near_x)
                 for c in range(style_channels):
                     totals[c] += source[source_y, source_x, style_channel + c]
                 votes += 1
-        kept = votes
-        if outliers and votes:
+        kept = votes_kept(votes, outliers)
+        if kept < votes:
             distances = cuda.local.array(most, np.int64)
-            kept = max(votes - outliers, 1)
             vote = 0
             for near_y in range(max(y - radius, 0), min(y + radius + 1, height)):
                 for near_x in range(max(x - radius, 0), min(x + radius + 1, width)):
                     if nnf[near_y, near_x, 0] < 0:
                         continue
-                    source_y = nnf[near_y, near_x, 0] + y - near_y
-                    source_x = nnf[near_y, near_x, 1] + x - near_x
+                    source_y, source_x = voted_pixel(nnf, y, x, near_y, near_x)
                     distances[vote] = 0
                     for c in range(style_channels):
                         value = np.int64(source[source_y, source_x, style_channel + c])
-                        distances[vote] += (votes * value - totals[c]) ** 2
+                        distances[vote] += distance_from_mean(value, totals[c], votes)
                     vote += 1
             for _ in range(votes - kept):
                 farthest = 0
@@ -62,8 +59,7 @@ def make_kernel(patch_width, style_channels, outliers):
                     if nnf[near_y, near_x, 0] < 0:
                         continue
                     if distances[vote] < 0:
-                        source_y = nnf[near_y, near_x, 0] + y - near_y
-                        source_x = nnf[near_y, near_x, 1] + x - near_x
+                        source_y, source_x = voted_pixel(nnf, y, x, near_y, near_x)
                         for c in range(style_channels):
                             totals[c] -= source[source_y, source_x, style_channel + c]
                     vote += 1

@@ -26,6 +26,7 @@ from gpu_cuda.random_search import make_kernel as make_random_search_kernel
 from gpu_cuda.variants import launched_commit, live, shared_memory
 from stylit_ref import Params
 from stylit_ref.files.output_file import write_text
+from stylit_ref.formulae.search_radii import number_of_radii
 from stylit_ref.machine.replaced import replaced
 from stylit_ref.stylization.backends import Backend
 from stylit_ref.stylization.problem import make_synthesis
@@ -58,9 +59,9 @@ def in_blocks(block, shared):
         launch_search(make_propagation_kernel, *search, block=block, shared=shared)
 
     def random_search(textures, *search):
-        side = max(search[4].shape)  # of δ
+        radii = number_of_radii(max(search[4].shape))  # of δ
         launch_search(
-            make_random_search_kernel, textures, *search, side, block=block, shared=shared
+            make_random_search_kernel, textures, *search, radii, block=block, shared=shared
         )
 
     return replaced(gpu_cuda, propagation=propagation, random_search=random_search)

@@ -4,6 +4,7 @@ Between, each iteration reads back for the history how many pixels moved, and th
 column.
 """
 
+import weakref
 from contextlib import contextmanager
 
 import numpy as np
@@ -40,6 +41,21 @@ def upload(array):
     array = np.ascontiguousarray(array)
     with _allocation(array.shape, array.dtype):
         return cuda.to_device(array)
+
+
+def kept_on_device(array):
+    """The copy of an array of the host: made once, and gone when that is gone.
+
+    For what every launch of a kernel reads and the host reads too.
+    """
+    key = id(array)
+    if key not in _copies:
+        _copies[key] = upload(array)
+        weakref.finalize(array, _copies.pop, key, None).atexit = False
+    return _copies[key]
+
+
+_copies = {}
 
 
 def download(array):

@@ -40,7 +40,7 @@ def kernels(block, patch_width=5, channels=32, style_channels=3, guide_channels=
         propagation, random_search = live.make_kernels(plain, with_sums)
         arguments = *_METRIC, _MAP, _INT, _NNF
         yield f"live propagation, {name}", propagation, (*arguments, _NNF, _INT)
-        yield f"live random search, {name}", random_search, (*arguments, _STREAM)
+        yield f"live random search, {name}", random_search, (*arguments, _STREAM, _INT)
     commit = _NNF, _DELTA, _NNF, _DELTA, _MAP, _INT, _STREAM, types.int64[::1]
     yield "commit", part["commit"].make_kernel(patch_width), commit
     launched = part["launched_commit"]

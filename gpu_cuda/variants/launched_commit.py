@@ -9,7 +9,8 @@ import numpy as np
 from numba import cuda
 
 import gpu_cuda
-from gpu_cuda.commit import CLASSES, class_size, decide, make_follow
+from gpu_cuda.commit import CLASSES, class_size, follow
+from gpu_cuda.formulae import take_proposal
 from gpu_cuda.host.device import launch
 from stylit_ref.randomness.commit_classes import CLASS_STRIDE, commit_order
 
@@ -30,14 +31,15 @@ def decide_kernel(
     height, width = delta.shape
     if row < class_size(height, first_y) and column < class_size(width, first_x):
         y, x = first_y + CLASS_STRIDE * row, first_x + CLASS_STRIDE * column
-        if decide(nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, y, x):
+        if take_proposal(
+            nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, y, x
+        ):
             cuda.atomic.add(moves, 0, 1)
 
 
 @lru_cache
 def make_follow_kernel(patch_width):
     """Compile the step in which W follows."""
-    follow = make_follow(patch_width)
 
     @cuda.jit
     def follow_kernel(nnf, proposed_nnf, omega_sums, first_y, first_x):
@@ -45,7 +47,7 @@ def make_follow_kernel(patch_width):
         height, width = nnf.shape[0], nnf.shape[1]
         if row < class_size(height, first_y) and column < class_size(width, first_x):
             y, x = first_y + CLASS_STRIDE * row, first_x + CLASS_STRIDE * column
-            follow(nnf, proposed_nnf, omega_sums, y, x)
+            follow(nnf, proposed_nnf, omega_sums, patch_width, y, x)
 
     return follow_kernel
 

@@ -15,18 +15,23 @@ import numpy as np
 from numba import cuda
 
 from gpu_cuda.formulae import (
-    patch_omega,
+    omega_sum,
     penalization,
     propagation_candidate,
     random_candidate,
     random_words,
+    search_draw,
+    search_radius,
+    search_words,
 )
 from gpu_cuda.host.device import device_function, formula, launch
 from gpu_cuda.improve_proposal import NO_LIMIT, make_assignment_delta
-from gpu_cuda.metric import metric_arrays, metric_constants
-from gpu_cuda.patch_penalization import make_atomic_updates
+from gpu_cuda.metric import MetricConstants, metric_arrays
+from gpu_cuda.patch_penalization import update_omega_sums, update_patch_omega
 from gpu_cuda.target_patches import make_target_patch
 from stylit_ref.formulae.candidates import PROPAGATION_DISTANCES
+from stylit_ref.formulae.improve_assignment import make_improve_assignment
+from stylit_ref.formulae.search_radii import number_of_radii
 from stylit_ref.randomness.random_stream import RANDOM_SEARCH, random_stream
 
 
@@ -43,32 +48,22 @@ def make_kernels(constants, with_sums):
     patch_width, radius = constants.patch_width, constants.radius
     assignment_delta = formula(make_assignment_delta(constants))
     target_patch = make_target_patch(constants, None, shared=False)
-    update_patch_omega, update_omega_sums = make_atomic_updates(patch_width)
     update = update_omega_sums if with_sums else update_patch_omega
 
     @device_function
-    def summed_penalization(omega, occurrence_weight, source_y, source_x):
-        return occurrence_weight * np.int64(patch_omega(omega, patch_width, source_y, source_x))
-
-    lambda_rho = penalization if with_sums else summed_penalization
+    def lambda_rho(occurrences, occurrence_weight, source_y, source_x):
+        if with_sums:
+            return penalization(occurrences, occurrence_weight, source_y, source_x)
+        return occurrence_weight * np.int64(omega_sum(occurrences, patch_width, source_y, source_x))
 
     @device_function
-    def improve_assignment(
-        metric, patch, omega, occurrence_weight, y, x, new_y, new_x, current_y, current_x
-    ):
-        """Keep the closer of two assignments and bring Ω up to date (ImproveAssignment, 3.2)."""
-        source_width = omega.shape[1]
-        phi_current = lambda_rho(omega, occurrence_weight, current_y, current_x) + assignment_delta(
-            metric, source_width, patch, y, x, current_y, current_x, NO_LIMIT
+    def phi(metric_and_patch, occurrences, occurrence_weight, _, y, x, source_y, source_x):
+        metric, patch = metric_and_patch
+        return lambda_rho(occurrences, occurrence_weight, source_y, source_x) + assignment_delta(
+            metric, patch, y, x, source_y, source_x, NO_LIMIT
         )
-        phi_new = lambda_rho(omega, occurrence_weight, new_y, new_x) + assignment_delta(
-            metric, source_width, patch, y, x, new_y, new_x, NO_LIMIT
-        )
-        if phi_new < phi_current:
-            update(omega, new_y, new_x, 1)
-            update(omega, current_y, current_x, -1)
-            return new_y, new_x
-        return current_y, current_x
+
+    improve_assignment = make_improve_assignment(device_function, phi, update)
 
     @cuda.jit
     def propagation_kernel(
@@ -79,7 +74,7 @@ def make_kernels(constants, with_sums):
         height, width = nnf.shape[0], nnf.shape[1]
         if y >= height or x >= width:
             return
-        metric = source, weights, guide_map, target_sums, source_sums
+        metric = source, omega.shape[1], weights, guide_map, target_sums, source_sums
         patch = target_patch(target, width, y, x)
         best_y, best_x = np.int64(nnf[y, x, 0]), np.int64(nnf[y, x, 1])
         if best_y >= 0:
@@ -94,7 +89,7 @@ def make_kernels(constants, with_sums):
                     radius, omega.shape[0], omega.shape[1],
                 )  # fmt: skip
                 best_y, best_x = improve_assignment(
-                    metric, patch, omega, occurrence_weight, y, x,
+                    (metric, patch), omega, occurrence_weight, patch_width, y, x,
                     np.int64(candidate_y), np.int64(candidate_x), best_y, best_x,
                 )  # fmt: skip
         new_nnf[y, x, 0], new_nnf[y, x, 1] = best_y, best_x
@@ -102,28 +97,27 @@ def make_kernels(constants, with_sums):
     @cuda.jit
     def random_search_kernel(
         source, target, weights, guide_map, target_sums, source_sums, omega, occurrence_weight,
-        nnf, stream,
+        nnf, stream, radii,
     ):  # fmt: skip
         x, y = cuda.grid(2)
         height, width = nnf.shape[0], nnf.shape[1]
         if y >= height or x >= width or nnf[y, x, 0] < 0:
             return
-        metric = source, weights, guide_map, target_sums, source_sums
+        metric = source, omega.shape[1], weights, guide_map, target_sums, source_sums
         patch = target_patch(target, width, y, x)
         centre_y, centre_x = np.int64(nnf[y, x, 0]), np.int64(nnf[y, x, 1])
         best_y, best_x = centre_y, centre_x
-        search_radius, k = 1, 0
-        while search_radius <= max(height, width) // 2:
-            words = random_words(stream, y * width + x, k)
+        for k in range(radii):
+            draw = random_words(stream, y * width + x, search_draw(k))
+            word_y, word_x = search_words(draw, k)
             candidate_y, candidate_x = random_candidate(
-                words[0], words[1], centre_y, centre_x, search_radius,
+                word_y, word_x, centre_y, centre_x, search_radius(k),
                 radius, omega.shape[0], omega.shape[1],
             )  # fmt: skip
             best_y, best_x = improve_assignment(
-                metric, patch, omega, occurrence_weight, y, x,
+                (metric, patch), omega, occurrence_weight, patch_width, y, x,
                 np.int64(candidate_y), np.int64(candidate_x), best_y, best_x,
             )  # fmt: skip
-            search_radius, k = 2 * search_radius, k + 1
         nnf[y, x, 0], nnf[y, x, 1] = best_y, best_x
 
     return propagation_kernel, random_search_kernel
@@ -144,7 +138,7 @@ def live_propagation(
         NNF and NNF' of the thesis.
     distance : int
     """
-    kernel, _ = make_kernels(metric_constants(textures, patch_width), are_sums)
+    kernel, _ = make_kernels(MetricConstants.of(textures, patch_width), are_sums)
     launch(
         kernel, nnf.shape[:2], *metric_arrays(textures), occurrences, occurrence_weight,
         nnf, new_nnf, distance,
@@ -155,10 +149,10 @@ def live_random_search(
     textures, occurrences, are_sums, occurrence_weight, patch_width, nnf, stream
 ):
     """Kernel_RandomSearch of 3.3, parameters as for :func:`live_propagation`."""
-    _, kernel = make_kernels(metric_constants(textures, patch_width), are_sums)
+    _, kernel = make_kernels(MetricConstants.of(textures, patch_width), are_sums)
     launch(
         kernel, nnf.shape[:2], *metric_arrays(textures), occurrences, occurrence_weight,
-        nnf, stream,
+        nnf, stream, number_of_radii(max(nnf.shape[:2])),
     )  # fmt: skip
 
 

@@ -7,6 +7,7 @@ import gpu_cuda
 from gpu_cuda.metric import launch_search
 from gpu_cuda.propagation import make_kernel as make_propagation_kernel
 from gpu_cuda.random_search import make_kernel as make_random_search_kernel
+from stylit_ref.formulae.search_radii import number_of_radii
 
 __all__ = gpu_cuda.__all__
 
@@ -34,5 +35,6 @@ def random_search(
     """As :func:`gpu_cuda.random_search`."""
     launch_search(
         make_random_search_kernel, textures, omega_sums, occurrence_weight, patch_width,
-        nnf, delta, new_nnf, new_delta, stream, side or max(delta.shape), shared=True,
+        nnf, delta, new_nnf, new_delta, stream, number_of_radii(side or max(delta.shape)),
+        shared=True,
     )  # fmt: skip

@@ -10,7 +10,7 @@ from stylit_ref.formulae.guide_map import scaled_variance
 from stylit_ref.formulae.patch_penalization import penalization
 from stylit_ref.machine.vector_ssd import LANES
 from stylit_ref.metric.fast_metric import make_delta_bound
-from stylit_ref.metric.lower_bound import LINE_LANES
+from stylit_ref.metric.lower_bound import LINE_MOMENTS
 from stylit_ref.metric.packing import make_packing, occurrence_weight
 from stylit_ref.randomness.commit_classes import commit_order
 from stylit_ref.randomness.philox import philox4x32
@@ -169,7 +169,7 @@ def _vote(passes, parameters, arrays):
 
 
 def _lower_bound(passes, parameters, arrays):
-    if passes.moments_storage(1, 1, LINE_LANES) is None:
+    if passes.moments_storage(1, 1, LINE_MOMENTS) is None:
         raise NotOfferedError
     level = level_of_case(passes, parameters, arrays)
     bound = np.zeros(level.nnf.shape[:2], np.int64)

@@ -19,8 +19,6 @@ from math import ceil
 import numpy as np
 from numba import njit
 
-from stylit_ref.machine.vector_ssd import make_weighted_ssd
-
 
 @njit
 def patch_sum(texture, first_y, first_x, channel, patch_width):
@@ -83,79 +81,61 @@ def sums_dtype(patch_width):
 
 
 @njit
+def guides_by_means(
+    pair_weights, target_sums, source_sums, channels, patch_width, y, x, source_y, source_x
+):  # fmt: skip
+    """The guides' part of δ where means stand for them (SSD, thesis 5.2.2).
+
+    Parameters
+    ----------
+    pair_weights : (C / 2,) uint32
+        Weights of two neighbouring channels each.
+    target_sums, source_sums : (H_B, W_B, n) and (H_A, W_A, n) uint16 or uint32
+        :func:`patch_sum` of every patch.
+    channels : int
+        n, for the compiler to know.
+    patch_width, y, x, source_y, source_x : int
+
+    Returns
+    -------
+    int64
+        In fixed point, rounded down.
+    """
+    total = np.int64(0)
+    for c in range(channels):
+        sum_p = np.int64(target_sums[y, x, c])
+        difference = sum_p - np.int64(source_sums[source_y, source_x, c])
+        total += np.int64(pair_weights[c // 2]) * difference * difference
+    return total // (patch_width * patch_width)
+
+
+@njit
 def delta_by_means(
-    source, target, weights, target_sums, source_sums, patch_width, y, x, source_y, source_x
+    source, target, pair_weights, target_sums, source_sums, patch_width, y, x, source_y, source_x
 ):  # fmt: skip
     """δ of a patch that is white on the map, in its plainest form (SSD, thesis 5.2.2).
 
     Parameters
     ----------
-    source, target, weights, patch_width, y, x, source_y, source_x
+    source, target, patch_width, y, x, source_y, source_x
         As for :func:`stylit_ref.formulae.patch_similarity.delta`.
-    target_sums, source_sums : (n,) uint16 or uint32
-        :func:`patch_sum` of both patches' guide channels.
+    pair_weights, target_sums, source_sums
+        As for :func:`guides_by_means`.
 
     Returns
     -------
     int64
         In fixed point, the guides' part rounded down.
     """
-    guides = np.int64(0)
-    for c in range(target_sums.shape[0]):
-        difference = np.int64(target_sums[c]) - np.int64(source_sums[c])
-        guides += weights[c] * difference * difference
-    total = guides // (patch_width * patch_width)
+    channels = target_sums.shape[2]
+    total = guides_by_means(
+        pair_weights, target_sums, source_sums, channels, patch_width, y, x, source_y, source_x
+    )
     radius = patch_width // 2
     for dy in range(patch_width):
         for dx in range(patch_width):
-            for c in range(target_sums.shape[0], source.shape[2]):
+            for c in range(channels, source.shape[2]):
                 f_p = np.int64(target[y + dy, x + dx, c])
                 f_q = np.int64(source[source_y - radius + dy, source_x - radius + dx, c])
-                total += weights[c] * (f_p - f_q) * (f_p - f_q)
+                total += np.int64(pair_weights[c // 2]) * (f_p - f_q) * (f_p - f_q)
     return total
-
-
-def make_guide_map_delta(patch_width, channels, mean_channels, patch_delta):
-    """Compile the SSD of thesis 5.2.2 for the CPU's vectors; equals :func:`delta_by_means`.
-
-    Parameters
-    ----------
-    patch_width, channels, mean_channels : int
-        See :func:`stylit_ref.metric.textures.metric_constants`.
-    patch_delta : callable
-        δ for patches that are black on the map.
-
-    Returns
-    -------
-    callable
-        ``(textures, y, x, source_y, source_x) -> int64``: δ in fixed point. Where the patch
-        is white the guides' part is rounded down.
-    """
-    radius = patch_width // 2
-    style_ssd = make_weighted_ssd(
-        patch_width, patch_width, channels, element_bits=8, first_channel=mean_channels
-    )
-
-    @njit(forceinline=True, no_cpython_wrapper=True, no_cfunc_wrapper=True)
-    def guide_map_delta(textures, y, x, source_y, source_x):
-        if not textures.guide_map[y, x]:
-            return patch_delta(textures, y, x, source_y, source_x)
-        sums_p = textures.target_sums[np.uint64(y), np.uint64(x)]
-        sums_q = textures.source_sums[np.uint64(source_y), np.uint64(source_x)]
-        guides = np.int64(0)
-        for c in range(mean_channels):
-            difference = np.int64(sums_p[c]) - np.int64(sums_q[c])
-            guides += textures.weights[c] * difference * difference
-        source_stride = np.int64(textures.source.shape[1]) * channels
-        target_stride = np.int64(textures.target.shape[1]) * channels
-        return guides // (patch_width * patch_width) + style_ssd(
-            textures.target,
-            y * target_stride + x * channels,
-            target_stride,
-            textures.source,
-            (source_y - radius) * source_stride + (source_x - radius) * channels,
-            source_stride,
-            textures.style_pair_weights,
-        )
-
-    return guide_map_delta

@@ -1,55 +1,150 @@
 """The metric φ = λρ + δ and the choice between two assignments (thesis 2.2, 3.2).
 
-The plainest form, every term in full. :mod:`bounded_metric` makes the same
-decisions faster.
+The choice comes in three forms, each for the CPU and for a GPU:
+
+ImproveAssignment of 3.2
+    The closer of two assignments, and Ω follows at once: :func:`improve_assignment` in its
+    plainest form, every term in full.
+a proposal
+    The same while Ω stays as it is: :func:`make_improve_proposal`.
+a commit
+    A proposal is compared once more, with W as it stands: :func:`take_proposal`.
+
+An assignment changes only where φ becomes strictly lower.
 """
 
 from numba import njit
 
-from stylit_ref.formulae.patch_penalization import patch_omega, update_patch_omega
+from stylit_ref.formulae.patch_penalization import omega_sum, penalization, update_patch_omega
 from stylit_ref.formulae.patch_similarity import delta
 
 
 @njit
 def phi(source, target, weights, omega, occurrence_weight, patch_width, y, x, source_y, source_x):
     """φ(P, Q) = λρ(Q) + δ(P, Q), thesis 2.2, as an exact int64 in fixed point."""
-    return occurrence_weight * patch_omega(omega, patch_width, source_y, source_x) + delta(
+    return occurrence_weight * omega_sum(omega, patch_width, source_y, source_x) + delta(
         source, target, weights, patch_width, y, x, source_y, source_x
     )
 
 
-@njit
-def improve_assignment(
-    source,
-    target,
-    weights,
-    omega,
-    occurrence_weight,
-    patch_width,
-    y,
-    x,
-    candidate_y,
-    candidate_x,
-    current_y,
-    current_x,
-):
-    """Keep the closer of two assignments and bring Ω up to date (ImproveAssignment, 3.2).
+def make_improve_assignment(compiled, phi, update):
+    """Compile ImproveAssignment (3.2) for a metric and an occurrence map.
+
+    Parameters
+    ----------
+    compiled : callable
+        Decorator: :func:`numba.njit`, or what compiles a function of a GPU.
+    phi : callable
+        ``(metric, occurrences, occurrence_weight, patch_width, y, x, source_y, source_x)
+        -> int64``.
+    update : callable
+        ``(occurrences, patch_width, source_y, source_x, change)``: has the map follow.
 
     Returns
     -------
-    tuple of 2 int
-        The candidate where its φ is strictly lower, otherwise the current assignment.
+    callable
+        ``(metric, occurrences, occurrence_weight, patch_width, y, x, candidate_y, candidate_x,
+        current_y, current_x) -> (y, x)``: the candidate where its φ is strictly lower, otherwise
+        the current assignment. ``metric`` is whatever ``phi`` needs, ``occurrences`` is Ω, or a
+        map made of it.
     """
-    phi_candidate = phi(
-        source, target, weights, omega, occurrence_weight, patch_width,
-        y, x, candidate_y, candidate_x,
-    )  # fmt: skip
-    phi_current = phi(
-        source, target, weights, omega, occurrence_weight, patch_width,
-        y, x, current_y, current_x,
-    )  # fmt: skip
-    if phi_candidate < phi_current:
-        update_patch_omega(omega, patch_width, candidate_y, candidate_x, 1)
-        update_patch_omega(omega, patch_width, current_y, current_x, -1)
-        return candidate_y, candidate_x
-    return current_y, current_x
+
+    @compiled
+    def improve_assignment(
+        metric, occurrences, occurrence_weight, patch_width, y, x,
+        candidate_y, candidate_x, current_y, current_x,
+    ):  # fmt: skip
+        phi_candidate = phi(
+            metric, occurrences, occurrence_weight, patch_width, y, x, candidate_y, candidate_x
+        )
+        phi_current = phi(
+            metric, occurrences, occurrence_weight, patch_width, y, x, current_y, current_x
+        )
+        if phi_candidate < phi_current:
+            update(occurrences, patch_width, candidate_y, candidate_x, 1)
+            update(occurrences, patch_width, current_y, current_x, -1)
+            return candidate_y, candidate_x
+        return current_y, current_x
+
+    return improve_assignment
+
+
+@njit
+def _phi_of_textures(textures, omega, occurrence_weight, patch_width, y, x, source_y, source_x):
+    source, target, weights = textures
+    return phi(
+        source, target, weights, omega, occurrence_weight, patch_width, y, x, source_y, source_x
+    )
+
+
+improve_assignment = make_improve_assignment(njit, _phi_of_textures, update_patch_omega)
+"""ImproveAssignment with Ω; its ``metric`` is the tuple ``(source, target, weights)``."""
+
+
+def make_improve_proposal(compiled, delta_below):
+    """Compile ImproveAssignment without its changes to Ω.
+
+    Parameters
+    ----------
+    compiled : callable
+        As for :func:`make_improve_assignment`.
+    delta_below : callable
+        ``(metric, y, x, source_y, source_x, limit) -> int64``: δ, or any number that reaches
+        ``limit`` where δ does.
+
+    Returns
+    -------
+    callable
+        ``(metric, omega_sums, occurrence_weight, y, x, candidate_y, candidate_x, best_y, best_x,
+        best_delta, best_phi) -> (y, x, delta, phi)``: the candidate if its φ is strictly below
+        ``best_phi``, otherwise the best so far. λρ alone is compared before any pixel is read.
+    """
+
+    @compiled
+    def improve_proposal(
+        metric, omega_sums, occurrence_weight, y, x,
+        candidate_y, candidate_x, best_y, best_x, best_delta, best_phi,
+    ):  # fmt: skip
+        best = best_y, best_x, best_delta, best_phi
+        penalty = penalization(omega_sums, occurrence_weight, candidate_y, candidate_x)
+        if (candidate_y == best_y and candidate_x == best_x) or penalty >= best_phi:
+            return best
+        delta = delta_below(metric, y, x, candidate_y, candidate_x, best_phi - penalty)
+        if penalty + delta >= best_phi:
+            return best
+        return candidate_y, candidate_x, delta, penalty + delta
+
+    return improve_proposal
+
+
+@njit(forceinline=True)
+def take_proposal(nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, y, x):
+    """Assign what was proposed for a pixel if that lowers φ, with W as it stands.
+
+    The old assignment takes the place of the proposal either way: where NNF and NNF' differ
+    afterwards, the pixel moved.
+
+    Parameters
+    ----------
+    nnf, delta : (H_B, W_B, 2) int32 and (H_B, W_B) int64
+    proposed_nnf, proposed_delta : arrays like ``nnf`` and ``delta``
+    omega_sums : (H_A, W_A) int32
+    occurrence_weight, y, x : int
+
+    Returns
+    -------
+    bool
+        Whether the pixel moved.
+    """
+    old_y, old_x = nnf[y, x, 0], nnf[y, x, 1]
+    new_y, new_x = proposed_nnf[y, x, 0], proposed_nnf[y, x, 1]
+    if old_y == new_y and old_x == new_x:
+        return False
+    old_phi = delta[y, x] + penalization(omega_sums, occurrence_weight, old_y, old_x)
+    new_phi = proposed_delta[y, x] + penalization(omega_sums, occurrence_weight, new_y, new_x)
+    proposed_nnf[y, x, 0], proposed_nnf[y, x, 1] = old_y, old_x
+    if new_phi >= old_phi:
+        return False
+    nnf[y, x, 0], nnf[y, x, 1] = new_y, new_x
+    delta[y, x] = proposed_delta[y, x]
+    return True

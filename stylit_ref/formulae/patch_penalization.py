@@ -23,7 +23,7 @@ def omega_best(patch_width, source_pixels, target_patches):
 
 
 @njit
-def patch_omega(omega, patch_width, source_y, source_x):
+def omega_sum(omega, patch_width, source_y, source_x):
     """W(Q): Ω summed over the patch around ``(source_y, source_x)``.
 
     PatchOmega of thesis 3.2 before its two divisions.

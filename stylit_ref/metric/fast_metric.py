@@ -1,7 +1,7 @@
 r"""φ compared without evaluating most of it: three exact savings.
 
-:mod:`improve_assignment` evaluates λρ and δ of both patches in full. Here a candidate
-is dropped as soon as a part of its φ proves that the whole cannot be lower than the
+:mod:`stylit_ref.formulae.improve_assignment` evaluates λρ and δ of both patches in full. Here
+a candidate is dropped as soon as a part of its φ proves that the whole cannot be lower than the
 best φ so far; all numbers are exact integers, so the decisions are the same
 (``tests/passes/test_proposals.py`` holds the two together).
 
@@ -14,18 +14,22 @@ best φ so far; all numbers are exact integers, so the decisions are the same
    much worse; for them the bound costs more than it saves.
 """
 
+from collections.abc import Callable
 from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 
-from stylit_ref.formulae.guide_map import make_guide_map_delta
+from stylit_ref.formulae.improve_assignment import make_improve_proposal
+from stylit_ref.formulae.patch_penalization import penalization
+from stylit_ref.machine.inlined import inlined
 from stylit_ref.machine.vector_ssd import make_weighted_ssd
+from stylit_ref.metric.guide_map_metric import make_guide_map_delta
 from stylit_ref.metric.lower_bound import BOUND_SCALE
 
 
 @lru_cache
-def make_delta_bound(lanes):
+def make_delta_bound(moments_a_patch):
     """Compile the lower bound of δ for patches of so many moments.
 
     Returns
@@ -34,16 +38,16 @@ def make_delta_bound(lanes):
         ``(textures, y, x, source_y, source_x) -> int64``: ``BOUND_SCALE`` times what δ does not
         fall below.
     """
-    moments_ssd = make_weighted_ssd(1, 1, lanes, element_bits=16)
+    moments_ssd = make_weighted_ssd(1, 1, moments_a_patch, element_bits=16)
 
-    @njit(forceinline=True, no_cpython_wrapper=True, no_cfunc_wrapper=True)
+    @inlined
     def delta_bound(textures, y, x, source_y, source_x):
         return moments_ssd(
             textures.target_moments,
-            (y * np.int64(textures.target_moments.shape[1]) + x) * lanes,
+            (y * np.int64(textures.target_moments.shape[1]) + x) * moments_a_patch,
             np.int64(0),
             textures.source_moments,
-            (source_y * np.int64(textures.source_moments.shape[1]) + source_x) * lanes,
+            (source_y * np.int64(textures.source_moments.shape[1]) + source_x) * moments_a_patch,
             np.int64(0),
             textures.moment_weights,
         )
@@ -51,29 +55,42 @@ def make_delta_bound(lanes):
     return delta_bound
 
 
-@lru_cache
-def make_bounded_metric(patch_width, channels, lanes, mean_channels):
-    """Compile the metric for the constants of :func:`textures.metric_constants`.
+class FastMetric(NamedTuple):
+    """The metric, compiled.
 
-    Returns
-    -------
+    Attributes
+    ----------
     assignment_delta : callable
         ``(textures, y, x, source_y, source_x) -> int64``, equal to
-        :func:`patch_similarity.delta`; with a guide map, δ of :mod:`guide_map`.
+        :func:`stylit_ref.formulae.patch_similarity.delta`; with a guide map, to
+        :func:`stylit_ref.formulae.guide_map.delta_by_means` where that is white.
     may_improve : callable
         ``(textures, omega_sums, occurrence_weight, y, x, candidate_y, candidate_x,
         best_phi) -> bool``: False where λρ alone or with the bound of δ proves that the
         candidate's φ is not below ``best_phi``.
     improve_proposal : callable
-        ``(textures, omega_sums, occurrence_weight, y, x, candidate_y, candidate_x,
-        best_y, best_x, best_delta, best_phi) -> (y, x, delta, phi)``: the candidate
-        if its φ is strictly below ``best_phi``, otherwise the best so far.
+        As :func:`stylit_ref.formulae.improve_assignment.make_improve_proposal` has it, its
+        ``metric`` the textures.
+    """
+
+    assignment_delta: Callable
+    may_improve: Callable
+    improve_proposal: Callable
+
+
+@lru_cache
+def make_fast_metric(patch_width, channels, moments_a_patch, mean_channels):
+    """Compile the metric for constants of :func:`stylit_ref.metric.textures.metric_constants`.
+
+    Returns
+    -------
+    FastMetric
     """
     radius = patch_width // 2
     patch_ssd = make_weighted_ssd(patch_width, patch_width, channels, element_bits=8)
-    delta_bound = make_delta_bound(lanes)
+    delta_bound = make_delta_bound(moments_a_patch)
 
-    @njit(forceinline=True, no_cpython_wrapper=True, no_cfunc_wrapper=True)
+    @inlined
     def patch_delta(textures, y, x, source_y, source_x):
         source_stride = np.int64(textures.source.shape[1]) * channels
         target_stride = np.int64(textures.target.shape[1]) * channels
@@ -91,34 +108,17 @@ def make_bounded_metric(patch_width, channels, lanes, mean_channels):
     if mean_channels:
         assignment_delta = make_guide_map_delta(patch_width, channels, mean_channels, patch_delta)
 
-    @njit(forceinline=True, no_cpython_wrapper=True, no_cfunc_wrapper=True)
+    @inlined
+    def delta_below(textures, y, x, source_y, source_x, limit):
+        """The whole δ: vectors have no use for its limit."""
+        return assignment_delta(textures, y, x, source_y, source_x)
+
+    @inlined
     def may_improve(
         textures, omega_sums, occurrence_weight, y, x, candidate_y, candidate_x, best_phi
     ):
-        room = best_phi - occurrence_weight * omega_sums[candidate_y, candidate_x]
+        room = best_phi - penalization(omega_sums, occurrence_weight, candidate_y, candidate_x)
         return delta_bound(textures, y, x, candidate_y, candidate_x) < room * BOUND_SCALE
 
-    @njit(forceinline=True, no_cpython_wrapper=True, no_cfunc_wrapper=True)
-    def improve_proposal(
-        textures,
-        omega_sums,
-        occurrence_weight,
-        y,
-        x,
-        candidate_y,
-        candidate_x,
-        best_y,
-        best_x,
-        best_delta,
-        best_phi,
-    ):
-        best = best_y, best_x, best_delta, best_phi
-        penalty = occurrence_weight * omega_sums[candidate_y, candidate_x]
-        if (candidate_y == best_y and candidate_x == best_x) or penalty >= best_phi:
-            return best
-        delta = assignment_delta(textures, y, x, candidate_y, candidate_x)
-        if penalty + delta >= best_phi:
-            return best
-        return candidate_y, candidate_x, delta, penalty + delta
-
-    return assignment_delta, may_improve, improve_proposal
+    improve_proposal = make_improve_proposal(inlined, delta_below)
+    return FastMetric(assignment_delta, may_improve, improve_proposal)

@@ -25,13 +25,13 @@ BOUND_SCALE = 8
 whose weights may take 32 bits, have the constant alone, of norm 9 or more; the smallest
 norm, 4, is the style's, whose weights take 17."""
 
-LINE_LANES = 32
+LINE_MOMENTS = 32
 """Moments, 16 bits each, in a cache line of 64 bytes."""
 
 CONSTANT = (0, 0)
 STYLE_DEGREES = (((0, 1), (1, 0)), ((0, 2), (2, 0)), ((1, 1),))
 """Vertical and horizontal degree of a style channel's moments after the constant;
-neighbours have equal norms, so that their lanes can share a weight."""
+neighbours have equal norms, so that they can share a weight."""
 
 
 def moment_width(patch_width):

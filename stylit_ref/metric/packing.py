@@ -19,7 +19,7 @@ from stylit_ref.machine.vector_ssd import LANES
 from stylit_ref.metric.lower_bound import (
     BOUND_SCALE,
     CONSTANT,
-    LINE_LANES,
+    LINE_MOMENTS,
     STYLE_DEGREES,
     moment_width,
     squared_norm,
@@ -65,19 +65,19 @@ class Packing:
 
     @property
     def moments(self):
-        """What each lane of a patch's moments holds: channel and degrees, or None for nothing.
+        """What each of a patch's moments is: channel and degrees, or None for nothing.
 
         A tuple of ``(channel, (vertical, horizontal))``, filling whole cache lines:
         the sums of all channels, then the higher moments of the style's.
         """
-        lanes = [(channel, CONSTANT) for channel in range(self.channels)]
+        moments = [(channel, CONSTANT) for channel in range(self.channels)]
         style = range(self.style_channel, self.style_channel + self.style_channels)
         for degrees in STYLE_DEGREES:
-            lanes += [(channel, degree) for channel in style for degree in degrees]
-        return (*lanes, *[None] * (-len(lanes) % LINE_LANES))
+            moments += [(channel, degree) for channel in style for degree in degrees]
+        return (*moments, *[None] * (-len(moments) % LINE_MOMENTS))
 
     def moment_weights(self, patch_width, guide_map=False):
-        """Weights of neighbouring lanes in the bound of δ, (lanes / 2,) uint32.
+        """Weights of neighbouring moments in the bound of δ, (moments / 2,) uint32.
 
         Rounded down: the bound stays one. Of the δ of a guide map, which compares the
         guides of whole patches by their means, the means of a part are no bound.
@@ -85,10 +85,10 @@ class Packing:
         width = moment_width(patch_width)
         guides_bound = width == patch_width or not guide_map
         weights = [
-            BOUND_SCALE * int(self.weights[lane[0]]) // squared_norm(width, lane[1])
-            if lane and (guides_bound or lane[0] >= self.style_channel)
+            BOUND_SCALE * int(self.weights[moment[0]]) // squared_norm(width, moment[1])
+            if moment and (guides_bound or moment[0] >= self.style_channel)
             else 0
-            for lane in self.moments
+            for moment in self.moments
         ]
         return np.array(weights).reshape(-1, 2).max(axis=1).astype(np.uint32)
 

@@ -15,15 +15,15 @@ class Textures(NamedTuple):
     source : (H_A, W_A, C) uint8
     target : (H_B + 2 radius, W_B + 2 radius, C) uint8
         Edge pixels repeated ``radius`` times.
-    source_moments : (H_A, W_A, lanes) int16
+    source_moments : (H_A, W_A, m) int16
         Moments of the patch centred at each pixel (zero at centres whose patch leaves
         the source). Whole cache lines: the first of them starts one.
-    target_moments : (H_B, W_B, lanes) int16
+    target_moments : (H_B, W_B, m) int16
     weights : (C,) int64
         Fixed-point weight of each channel.
     pair_weights : (C / 2,) uint32
         The same, one for two neighbouring channels.
-    moment_weights : (lanes / 2,) uint32
+    moment_weights : (m / 2,) uint32
         Weights of two neighbouring moments in the bound.
     guide_map : (H_B, W_B) bool, optional
         G of thesis 5.2: True (white) where means stand for a patch's guides.
@@ -57,7 +57,7 @@ def metric_constants(textures, patch_width):
     Returns
     -------
     tuple of 4 int
-        Patch width, packed channels of a pixel, lanes of its moments, and the packed guide
+        Patch width, packed channels of a pixel, moments of a patch, and the packed guide
         channels that means may stand for (0 without a guide map).
     """
     mean_channels = 0 if textures.guide_map is None else textures.source_sums.shape[2]

@@ -9,6 +9,7 @@ class by class of an interleaved lattice, each compared once more with Ω as it 
 import numpy as np
 from numba import get_num_threads, njit, prange, set_num_threads
 
+from stylit_ref.formulae.improve_assignment import take_proposal
 from stylit_ref.formulae.patch_penalization import update_omega_sums
 from stylit_ref.machine.kernel import kernel
 from stylit_ref.randomness.commit_classes import CLASS_STRIDE, commit_order
@@ -20,20 +21,15 @@ FEWEST_PIXELS_FOR_THREADS = 30_000
 
 @njit(forceinline=True)
 def _decide(nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, y, columns):
-    """Exchange assignment and proposal of a row's pixels where φ falls.
+    """Move or leave the pixels of a row that have a proposal.
 
     Keeps the ``columns`` of those that moved, in front; returns their number.
     """
     moved = 0
     for x in columns:
-        old_y, old_x = nnf[y, x, 0], nnf[y, x, 1]
-        new_y, new_x = proposed_nnf[y, x, 0], proposed_nnf[y, x, 1]
-        old_phi = delta[y, x] + occurrence_weight * omega_sums[old_y, old_x]
-        new_phi = proposed_delta[y, x] + occurrence_weight * omega_sums[new_y, new_x]
-        if new_phi < old_phi:
-            nnf[y, x, 0], nnf[y, x, 1] = new_y, new_x
-            proposed_nnf[y, x, 0], proposed_nnf[y, x, 1] = old_y, old_x
-            delta[y, x] = proposed_delta[y, x]
+        if take_proposal(
+            nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, y, x
+        ):
             columns[moved] = x
             moved += 1
     return moved
@@ -89,7 +85,7 @@ def commit(
     nnf, delta : (H_B, W_B, 2) int32 and (H_B, W_B) int64
         Assignments and their δ, updated in place.
     proposed_nnf, proposed_delta : like ``nnf`` and ``delta``
-        Spent: they hold nothing of use afterwards.
+        Afterwards NNF' holds the assignments from before; the proposals' δ are of no use.
     omega_sums : (H_A, W_A) int32
         W, brought up to date after each class. Left alone where ``occurrence_weight``
         is 0 and nothing reads it.

@@ -6,7 +6,7 @@ import numpy as np
 from numba import get_num_threads, prange
 
 from stylit_ref.machine.kernel import kernel
-from stylit_ref.metric.lower_bound import LINE_LANES, POLYNOMIALS, moment_width
+from stylit_ref.metric.lower_bound import LINE_MOMENTS, POLYNOMIALS, moment_width
 
 
 @lru_cache
@@ -39,12 +39,12 @@ def _make_kernel(patch_width, channels, style_channel, style_channels):
                         slopes[x, s] = along_y
                         curves[x, s] = along_yy
                 for x in range(texture.shape[1] - patch_width + 1):
-                    lanes = moments[first + y, first + x]
+                    own = moments[first + y, first + x]
                     for c in range(first_channel, channels):
                         total = np.int16(0)
                         for dx in range(width):
                             total += sums[x + margin + dx, c]
-                        lanes[c] = total
+                        own[c] = total
                     for s in range(style_channels):
                         along_x = along_y = along_xx = along_yy = along_xy = 0
                         for dx in range(width):
@@ -55,11 +55,11 @@ def _make_kernel(patch_width, channels, style_channel, style_channels):
                             along_y += slopes[near_x, s]
                             along_xy += slope[dx] * slopes[near_x, s]
                             along_yy += curves[near_x, s]
-                        lane = channels + 2 * s
-                        lanes[lane], lanes[lane + 1] = along_x, along_y
-                        lane += 2 * style_channels
-                        lanes[lane], lanes[lane + 1] = along_xx, along_yy
-                        lanes[channels + 4 * style_channels + s] = along_xy
+                        place = channels + 2 * s
+                        own[place], own[place + 1] = along_x, along_y
+                        place += 2 * style_channels
+                        own[place], own[place + 1] = along_xx, along_yy
+                        own[channels + 4 * style_channels + s] = along_xy
 
     return patch_moments_kernel
 
@@ -101,6 +101,6 @@ def moments_storage(height, width, lanes):
     (height, width, lanes) int16
     """
     size = height * width * lanes
-    buffer = np.zeros(size + LINE_LANES, np.int16)
-    first = -(buffer.ctypes.data // 2) % LINE_LANES
+    buffer = np.zeros(size + LINE_MOMENTS, np.int16)
+    first = -(buffer.ctypes.data // 2) % LINE_MOMENTS
     return buffer[first : first + size].reshape(height, width, lanes)

@@ -2,20 +2,24 @@
 
 from functools import lru_cache
 
+import numpy as np
 from numba import prange
 
 from stylit_ref.formulae.candidates import propagation_candidate
+from stylit_ref.formulae.patch_penalization import penalization
 from stylit_ref.machine.kernel import kernel
-from stylit_ref.metric.fast_metric import make_bounded_metric
+from stylit_ref.metric.fast_metric import make_fast_metric
 from stylit_ref.metric.textures import metric_constants
 
 
 @lru_cache
-def _make_kernel(patch_width, channels, lanes, mean_channels):
+def _make_kernel(patch_width, channels, moments_a_patch, mean_channels):
     radius = patch_width // 2
-    _, _, improve_proposal = make_bounded_metric(patch_width, channels, lanes, mean_channels)
+    improve_proposal = make_fast_metric(
+        patch_width, channels, moments_a_patch, mean_channels
+    ).improve_proposal
 
-    @kernel(patch_width, channels, lanes, mean_channels)
+    @kernel(patch_width, channels, moments_a_patch, mean_channels)
     def propagation_kernel(
         textures, omega_sums, occurrence_weight, nnf, delta, new_nnf, new_delta, distance
     ):
@@ -23,9 +27,12 @@ def _make_kernel(patch_width, channels, lanes, mean_channels):
         source_height, source_width = omega_sums.shape
         for y in prange(height):
             for x in range(width):
-                best_y, best_x, best_delta = nnf[y, x, 0], nnf[y, x, 1], delta[y, x]
+                best_y, best_x = np.int64(nnf[y, x, 0]), np.int64(nnf[y, x, 1])
+                best_delta = delta[y, x]
                 if best_y >= 0:
-                    best_phi = best_delta + occurrence_weight * omega_sums[best_y, best_x]
+                    best_phi = best_delta + penalization(
+                        omega_sums, occurrence_weight, best_y, best_x
+                    )
                     for dy, dx in ((0, distance), (distance, 0), (0, -distance), (-distance, 0)):
                         near_y, near_x = y + dy, x + dx
                         if near_y < 0 or near_y >= height or near_x < 0 or near_x >= width:

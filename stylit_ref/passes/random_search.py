@@ -6,38 +6,46 @@ import numpy as np
 from numba import njit, prange
 
 from stylit_ref.formulae.candidates import random_candidate
+from stylit_ref.formulae.patch_penalization import penalization
+from stylit_ref.formulae.search_radii import (
+    number_of_radii,
+    search_draw,
+    search_radius,
+    search_words,
+)
 from stylit_ref.machine.kernel import kernel
 from stylit_ref.machine.prefetch import prefetch
-from stylit_ref.metric.fast_metric import make_bounded_metric
-from stylit_ref.metric.lower_bound import LINE_LANES
+from stylit_ref.metric.fast_metric import make_fast_metric
+from stylit_ref.metric.lower_bound import LINE_MOMENTS
 from stylit_ref.metric.textures import metric_constants
 from stylit_ref.randomness.random_stream import random_words
 
 # Random candidates miss every cache, and none depends on how another fared. So a few
 # target pixels take each step together: all candidates are drawn, then asked for from
 # memory, then bounded, and the one in twelve that a bound does not reject is evaluated.
-TOGETHER = 16
+# plain_random_search.py does the same pixel after pixel.
+PIXELS_A_BATCH = 16
 
 
 @lru_cache
-def _make_kernel(patch_width, channels, lanes, mean_channels):
+def _make_kernel(patch_width, channels, moments_a_patch, mean_channels):
     radius = patch_width // 2
-    _, may_improve, improve_proposal = make_bounded_metric(
-        patch_width, channels, lanes, mean_channels
-    )
+    metric = make_fast_metric(patch_width, channels, moments_a_patch, mean_channels)
+    may_improve, improve_proposal = metric.may_improve, metric.improve_proposal
 
     @njit(forceinline=True)
     def draw(candidates, centre_y, centre_x, source_height, source_width, stream, pixel):
-        words = random_words(stream, pixel, 0)
+        words = random_words(stream, pixel, search_draw(0))
         for k in range(candidates.shape[0]):
-            if k > 0 and k % 2 == 0:
-                words = random_words(stream, pixel, k // 2)
-            word_y, word_x = (words[0], words[1]) if k % 2 == 0 else (words[2], words[3])
+            if k > 0 and search_draw(k) != search_draw(k - 1):
+                words = random_words(stream, pixel, search_draw(k))
+            word_y, word_x = search_words(words, k)
             candidates[k, 0], candidates[k, 1] = random_candidate(
-                word_y, word_x, centre_y, centre_x, 1 << k, radius, source_height, source_width
-            )
+                word_y, word_x, centre_y, centre_x, search_radius(k),
+                radius, source_height, source_width,
+            )  # fmt: skip
 
-    @kernel(patch_width, channels, lanes, mean_channels)
+    @kernel(patch_width, channels, moments_a_patch, mean_channels)
     def random_search_kernel(
         textures, omega_sums, occurrence_weight, nnf, delta, new_nnf, new_delta, stream,
         all_candidates, all_promising, all_counts,
@@ -47,9 +55,9 @@ def _make_kernel(patch_width, channels, lanes, mean_channels):
         radii = all_candidates.shape[2]
         for y in prange(height):
             candidates, promising, counts = all_candidates[y], all_promising[y], all_counts[y]
-            for first_x in range(0, width, TOGETHER):
-                block = min(TOGETHER, width - first_x)
-                for i in range(block):
+            for first_x in range(0, width, PIXELS_A_BATCH):
+                batch = min(PIXELS_A_BATCH, width - first_x)
+                for i in range(batch):
                     x = first_x + i
                     if nnf[y, x, 0] < 0:
                         continue
@@ -57,31 +65,36 @@ def _make_kernel(patch_width, channels, lanes, mean_channels):
                         candidates[i], nnf[y, x, 0], nnf[y, x, 1],
                         source_height, source_width, stream, y * width + x,
                     )  # fmt: skip
-                for i in range(block):
+                for i in range(batch):
                     if nnf[y, first_x + i, 0] < 0:
                         continue
                     for k in range(radii):
                         place = np.int64(candidates[i, k, 0]) * source_width + candidates[i, k, 1]
                         prefetch(omega_sums, place)
-                        for line in range(0, lanes, LINE_LANES):
-                            prefetch(textures.source_moments, place * lanes + line)
-                for i in range(block):
+                        for line in range(0, moments_a_patch, LINE_MOMENTS):
+                            prefetch(textures.source_moments, place * moments_a_patch + line)
+                for i in range(batch):
                     x = first_x + i
                     counts[i] = 0
                     if nnf[y, x, 0] < 0:
                         continue
-                    phi = delta[y, x] + occurrence_weight * omega_sums[nnf[y, x, 0], nnf[y, x, 1]]
+                    phi = delta[y, x] + penalization(
+                        omega_sums, occurrence_weight, nnf[y, x, 0], nnf[y, x, 1]
+                    )
                     for k in range(radii):
                         promising[i, counts[i]] = k
                         counts[i] += may_improve(
                             textures, omega_sums, occurrence_weight, y, x,
                             candidates[i, k, 0], candidates[i, k, 1], phi,
                         )  # fmt: skip
-                for i in range(block):
+                for i in range(batch):
                     x = first_x + i
-                    best_y, best_x, best_delta = nnf[y, x, 0], nnf[y, x, 1], delta[y, x]
+                    best_y, best_x = np.int64(nnf[y, x, 0]), np.int64(nnf[y, x, 1])
+                    best_delta = delta[y, x]
                     if counts[i]:
-                        best_phi = best_delta + occurrence_weight * omega_sums[best_y, best_x]
+                        best_phi = best_delta + penalization(
+                            omega_sums, occurrence_weight, best_y, best_x
+                        )
                         for n in range(counts[i]):
                             k = promising[i, n]
                             best_y, best_x, best_delta, best_phi = improve_proposal(
@@ -125,10 +138,10 @@ def random_search(
     """
     run = _make_kernel(*metric_constants(textures, patch_width))
     height = delta.shape[0]
-    radii = ((side or max(delta.shape)) // 2).bit_length()
-    candidates = np.empty((height, TOGETHER, radii, 2), np.int32)
-    promising = np.empty((height, TOGETHER, radii), np.int32)
-    counts = np.empty((height, TOGETHER), np.int32)
+    radii = number_of_radii(side or max(delta.shape))
+    candidates = np.empty((height, PIXELS_A_BATCH, radii, 2), np.int32)
+    promising = np.empty((height, PIXELS_A_BATCH, radii), np.int32)
+    counts = np.empty((height, PIXELS_A_BATCH), np.int32)
     run(
         textures, omega_sums, occurrence_weight, nnf, delta, new_nnf, new_delta, stream,
         candidates, promising, counts,

@@ -3,6 +3,7 @@
 import numpy as np
 from numba import prange
 
+from stylit_ref.formulae.voting import voted_pixel
 from stylit_ref.machine.kernel import kernel
 
 
@@ -30,8 +31,8 @@ def replay_vote(style, means, nnf, patch_width, scale):
                 for near_x in range(max(x - radius, 0), min(x + radius + 1, width)):
                     if nnf[near_y, near_x, 0] < 0:
                         continue
-                    source_y = (nnf[near_y, near_x, 0] - (near_y - y)) * scale + offset_y
-                    source_x = (nnf[near_y, near_x, 1] - (near_x - x)) * scale + offset_x
+                    voted_y, voted_x = voted_pixel(nnf, y, x, near_y, near_x)
+                    source_y, source_x = voted_y * scale + offset_y, voted_x * scale + offset_x
                     for c in range(style.shape[2]):
                         value = np.float64(style[source_y, source_x, c])
                         means[fine_y, fine_x, c] = (

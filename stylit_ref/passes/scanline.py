@@ -51,7 +51,7 @@ def scanline(
                     radius, source_height, source_width,
                 )  # fmt: skip
                 best_y, best_x = improve_assignment(
-                    source, target, weights, omega, occurrence_weight, patch_width,
+                    (source, target, weights), omega, occurrence_weight, patch_width,
                     y, x, candidate_y, candidate_x, best_y, best_x,
                 )  # fmt: skip
 
@@ -65,7 +65,7 @@ def scanline(
                     radius, source_height, source_width,
                 )  # fmt: skip
                 best_y, best_x = improve_assignment(
-                    source, target, weights, omega, occurrence_weight, patch_width,
+                    (source, target, weights), omega, occurrence_weight, patch_width,
                     y, x, candidate_y, candidate_x, best_y, best_x,
                 )  # fmt: skip
                 search_radius //= 2

@@ -5,15 +5,17 @@ from functools import lru_cache
 from numba import prange
 
 from stylit_ref.machine.kernel import kernel
-from stylit_ref.metric.fast_metric import make_bounded_metric
+from stylit_ref.metric.fast_metric import make_fast_metric
 from stylit_ref.metric.textures import metric_constants
 
 
 @lru_cache
-def _make_kernel(patch_width, channels, lanes, mean_channels):
-    assignment_delta, _, _ = make_bounded_metric(patch_width, channels, lanes, mean_channels)
+def _make_kernel(patch_width, channels, moments_a_patch, mean_channels):
+    assignment_delta = make_fast_metric(
+        patch_width, channels, moments_a_patch, mean_channels
+    ).assignment_delta
 
-    @kernel(patch_width, channels, lanes, mean_channels)
+    @kernel(patch_width, channels, moments_a_patch, mean_channels)
     def similarity_kernel(textures, nnf, delta):
         for y in prange(delta.shape[0]):
             for x in range(delta.shape[1]):

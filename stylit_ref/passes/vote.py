@@ -6,6 +6,7 @@ import numpy as np
 from numba import prange
 
 from stylit_ref.formulae.rounding import rounded_mean
+from stylit_ref.formulae.voting import distance_from_mean, voted_pixel, votes_kept
 from stylit_ref.machine.kernel import kernel
 
 
@@ -24,12 +25,13 @@ def _make_kernel(patch_width, style_channels):
                 total_0 = total_1 = total_2 = total_3 = votes = 0
                 for dy in range(-radius, radius + 1):
                     for dx in range(-radius, radius + 1):
-                        if not inside and not (0 <= y + dy < height and 0 <= x + dx < width):
+                        near_y, near_x = y + dy, x + dx
+                        if not inside and not (0 <= near_y < height and 0 <= near_x < width):
                             continue
-                        if nnf[y + dy, x + dx, 0] < 0:
+                        if nnf[near_y, near_x, 0] < 0:
                             continue
-                        source_y = np.uint64(nnf[y + dy, x + dx, 0] - dy)
-                        source_x = np.uint64(nnf[y + dy, x + dx, 1] - dx)
+                        voted_y, voted_x = voted_pixel(nnf, y, x, near_y, near_x)
+                        source_y, source_x = np.uint64(voted_y), np.uint64(voted_x)
                         total_0 += source[source_y, source_x, style_channel]
                         if style_channels > 1:
                             total_1 += source[source_y, source_x, style_channel + 1]
@@ -62,8 +64,7 @@ def _make_robust_kernel(patch_width, style_channels):
                     for near_x in range(max(x - radius, 0), min(x + radius + 1, width)):
                         if nnf[near_y, near_x, 0] < 0:
                             continue
-                        source_y = nnf[near_y, near_x, 0] + y - near_y
-                        source_x = nnf[near_y, near_x, 1] + x - near_x
+                        source_y, source_x = voted_pixel(nnf, y, x, near_y, near_x)
                         for c in range(style_channels):
                             values[votes, c] = source[source_y, source_x, style_channel + c]
                         votes += 1
@@ -73,9 +74,9 @@ def _make_robust_kernel(patch_width, style_channels):
                     total = 0
                     for n in range(votes):
                         total += values[n, c]
-                    for n in range(votes):  # squared distance from the mean, times votes squared
-                        distances[n] += (votes * values[n, c] - total) ** 2
-                kept = max(votes - outliers, min(votes, 1))
+                    for n in range(votes):
+                        distances[n] += distance_from_mean(values[n, c], total, votes)
+                kept = votes_kept(votes, outliers)
                 for _ in range(votes - kept):
                     farthest = 0
                     for n in range(1, votes):

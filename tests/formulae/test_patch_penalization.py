@@ -7,7 +7,7 @@ from small_level import make_level
 
 from stylit_ref.formulae.patch_penalization import (
     omega_best,
-    patch_omega,
+    omega_sum,
     update_omega_sums,
     update_patch_omega,
 )
@@ -15,11 +15,11 @@ from stylit_ref.metric.packing import occurrence_weight
 
 
 @pytest.mark.parametrize("patch_width", [3, 5, 7])
-def test_patch_omega_sums_the_patch(patch_width):
+def test_omega_sum_is_of_the_patch(patch_width):
     level = make_level(patch_width=patch_width)
     for centre in ((3, 3), (6, 9), (9, 13)):
         expected = brute_force.omega_sum(level.omega, patch_width, *centre)
-        assert patch_omega(level.omega, patch_width, *centre) == expected
+        assert omega_sum(level.omega, patch_width, *centre) == expected
 
 
 @pytest.mark.parametrize("patch_width", [3, 5, 7])

@@ -7,7 +7,7 @@ from numba import njit
 from small_level import make_level
 
 from stylit_ref.formulae.patch_similarity import delta
-from stylit_ref.metric.fast_metric import make_bounded_metric
+from stylit_ref.metric.fast_metric import make_fast_metric
 from stylit_ref.metric.textures import metric_constants
 
 CASES = [
@@ -24,9 +24,8 @@ CASES = [
 @pytest.mark.parametrize("case", CASES, ids=str)
 def test_delta_and_its_fast_form_are_the_definition(case):
     level = make_level(source_size=(15, 19), target_size=(14, 16), **case)
-    assignment_delta, _, _ = make_bounded_metric(
-        *metric_constants(level.textures, level.patch_width)
-    )
+    constants = metric_constants(level.textures, level.patch_width)
+    assignment_delta = make_fast_metric(*constants).assignment_delta
 
     @njit
     def fast_delta(textures, y, x, source_y, source_x):

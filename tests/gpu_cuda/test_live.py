@@ -66,10 +66,11 @@ def test_a_thread_alone_does_what_the_formula_does(seed, with_sums):
 
     centre = best = tuple(map(int, level.nnf[6, 7]))
     for k, search_radius in enumerate((1, 2, 4)):
-        words = random_words(stream, 6 * 12 + 7, k)
-        candidate = random_candidate(*words[:2], *centre, search_radius, 2, *level.omega.shape)
+        draw = random_words(stream, 6 * 12 + 7, k // 2)
+        words = draw[:2] if k % 2 == 0 else draw[2:]
+        candidate = random_candidate(*words, *centre, search_radius, 2, *level.omega.shape)
         best = improve_assignment(
-            level.textures.source, level.textures.target, level.textures.weights, level.omega,
+            (level.textures.source, level.textures.target, level.textures.weights), level.omega,
             level.occurrence_weight, level.patch_width, 6, 7, *candidate, *best,
         )  # fmt: skip
     assert tuple(to_host(device.nnf)[6, 7]) == best

@@ -7,7 +7,7 @@ from numba import njit
 from small_level import make_level
 
 from stylit_ref.machine.vector_ssd import make_weighted_ssd
-from stylit_ref.metric.fast_metric import make_bounded_metric
+from stylit_ref.metric.fast_metric import make_fast_metric
 from stylit_ref.metric.lower_bound import BOUND_SCALE, POLYNOMIALS, STYLE_DEGREES, squared_norm
 from stylit_ref.metric.textures import metric_constants
 
@@ -19,14 +19,13 @@ def test_polynomials_are_orthogonal(width):
 
 
 @pytest.mark.parametrize("width", [3, 5])
-def test_lanes_that_share_a_weight_have_equal_norms(width):
+def test_moments_that_share_a_weight_have_equal_norms(width):
     for degrees in STYLE_DEGREES:
         assert len({squared_norm(width, degree) for degree in degrees}) == 1
 
 
 def fast_bound(level, y, x, source_y, source_x):
-    lanes = len(level.packing.moments)
-    moments_ssd = make_weighted_ssd(1, 1, lanes, element_bits=16)
+    moments_ssd = make_weighted_ssd(1, 1, len(level.packing.moments), element_bits=16)
 
     @njit
     def call(a, b, weights):
@@ -73,7 +72,7 @@ def test_it_is_a_bound_and_tight_for_what_it_describes(patch_width, pattern):
 
 @pytest.mark.parametrize("vertical", [0, 1, 2])
 @pytest.mark.parametrize("horizontal", [0, 1, 2])
-def test_the_largest_moments_fit_their_lanes(vertical, horizontal):
+def test_the_largest_moments_fit_16_bits(vertical, horizontal):
     """Black and white where a product of polynomials changes its sign, against its negative."""
     level = make_level(source_size=(5, 5), target_size=(5, 5))
     product = np.outer(POLYNOMIALS[5][vertical], POLYNOMIALS[5][horizontal])
@@ -94,7 +93,8 @@ def test_the_largest_moments_fit_their_lanes(vertical, horizontal):
 @pytest.mark.parametrize("weight", [1e-3, 3e4])
 def test_weights_of_any_size_give_a_bound(weight):
     level = make_level(patch_width=3, guide_channels=(1, 1), guide_weights=(weight, 1.0))
-    assignment_delta, may_improve, _ = make_bounded_metric(*metric_constants(level.textures, 3))
+    metric = make_fast_metric(*metric_constants(level.textures, 3))
+    assignment_delta, may_improve = metric.assignment_delta, metric.may_improve
 
     @njit
     def decide(textures, omega_sums, weight, y, x, source_y, source_x):

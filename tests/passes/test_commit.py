@@ -52,8 +52,10 @@ def test_commit_takes_what_lowers_phi_class_by_class(case):
             if phis[1] < phis[0]:
                 expected[y, x] = proposed[y, x]
                 moved += 1
+    before = level.nnf.copy()
     assert commit(level) == moved > 0
     np.testing.assert_array_equal(level.nnf, expected)
+    np.testing.assert_array_equal(level.proposed_nnf, before)
 
 
 @pytest.mark.parametrize("threads", [1, 2, 40])

@@ -10,13 +10,13 @@ def expected_moments(texture, packing, patch_width, first_y, first_x):
     width = moment_width(patch_width)
     margin = patch_width // 2 - width // 2
     return [
-        (lane
+        (moment
         and patch_moment(
-            texture, first_y + margin, first_x + margin, lane[0],
-            POLYNOMIALS[width][lane[1][0]], POLYNOMIALS[width][lane[1][1]],
+            texture, first_y + margin, first_x + margin, moment[0],
+            POLYNOMIALS[width][moment[1][0]], POLYNOMIALS[width][moment[1][1]],
         ))
         or 0
-        for lane in packing.moments
+        for moment in packing.moments
     ]  # fmt: skip
 
 

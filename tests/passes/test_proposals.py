@@ -1,6 +1,6 @@
 """Propagation and random search decide as the plain formula would.
 
-The passes use the exact savings of ``bounded_metric``; the oracle evaluates φ in full.
+The passes use the exact savings of ``metric/fast_metric.py``; the oracle evaluates φ in full.
 """
 
 import brute_force

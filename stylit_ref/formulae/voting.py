@@ -1,0 +1,24 @@
+"""Which pixel votes for which, and which votes count (thesis 2.3; Hauptfleisch 2020, 2.4.1)."""
+
+from numba import njit
+
+
+@njit
+def voted_pixel(nnf, y, x, near_y, near_x):
+    """The source pixel that the patch around ``(near_y, near_x)`` votes for at ``(y, x)``."""
+    return nnf[near_y, near_x, 0] + y - near_y, nnf[near_y, near_x, 1] + x - near_x
+
+
+@njit
+def distance_from_mean(value, total, votes):
+    """Squared distance of one vote from the mean of all, in one channel, times ``votes`` squared.
+
+    ``total`` is the sum of all ``votes``.
+    """
+    return (votes * value - total) ** 2
+
+
+@njit
+def votes_kept(votes, outliers):
+    """How many votes count when the ``outliers`` farthest do not: at least one if there is one."""
+    return max(votes - outliers, min(votes, 1))
