@@ -19,7 +19,7 @@
 # with a slider. It covers thesis 1.3 and 2.4, and the parallel kernels of 3.3.
 
 # %%
-from types import SimpleNamespace
+from dataclasses import replace
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -33,10 +33,11 @@ from eval.scenes import load_scene
 from stylit_ref import Params, passes, replay, stylize
 from stylit_ref.formulae.candidates import propagation_candidate
 from stylit_ref.formulae.patch_similarity import delta
-from stylit_ref.metric.packing import ONE, make_packing
-from stylit_ref.randomness.random_stream import RANDOM_NNF, random_stream
+from stylit_ref.machine.replaced import replaced
+from stylit_ref.metric.packing import ONE
 from stylit_ref.stylization import schedules
-from stylit_ref.stylization.level import Level
+from stylit_ref.stylization.backends import Backend
+from stylit_ref.stylization.problem import make_synthesis
 
 # Half the size of the bundled images, so that nothing takes long.
 scene = load_scene("hand/crayon")
@@ -68,20 +69,22 @@ def show(place, image, title, **how):
 # %%
 params = Params(uniformity=0, levels=5)
 finished = stylize(style, source_guides, target_guides, params).image
-packing = make_packing([3] * 5, 3, params.guide_influence, [1.0] * 5)
 
 
 def random_level(passes=passes):
     """A level of the finished picture whose NNF is random."""
-    source, target = packing.pack(source_guides, style), packing.pack(target_guides, finished)
-    level = Level(passes, packing, params, source, target, np.ones(target.shape[:2], bool))
-    stream = random_stream(SEED, RANDOM_NNF, 1)
-    passes.random_nnf(level.nnf, params.patch_width, *style.shape[:2], stream)
-    level.update_similarity()
+    one_level, backend = replace(params, levels=1), Backend(passes)
+    synthesis = make_synthesis(
+        style, source_guides, target_guides, one_level, seed=SEED, backend=backend
+    )
+    level = synthesis.begin_level(1)
+    level.set_style(finished)
+    level.update_moments()
     return level
 
 
 level = random_level()
+packing = level.packing
 rows, columns = style.shape[:2]
 radius = params.patch_width // 2
 centres = (rows - 2 * radius) * (columns - 2 * radius)
@@ -161,10 +164,8 @@ def search(propagation=passes.propagation, random_search=passes.random_search):
         passes.commit(nnf, delta, *others)
         frames.append((nnf.copy(), delta.mean() / ONE))
 
-    watched = vars(passes) | {
-        "commit": commit, "propagation": propagation, "random_search": random_search
-    }  # fmt: skip
-    level = random_level(SimpleNamespace(**watched))
+    watched = replaced(passes, commit=commit, propagation=propagation, random_search=random_search)
+    level = random_level(watched)
     frames.append((level.nnf.copy(), level.delta.mean() / ONE))
     for iteration in range(1, ITERATIONS + 1):
         schedules.propose_commit(level, SEED, 1, 1, iteration)

@@ -21,7 +21,7 @@
 
 # %%
 from inspect import getsource
-from types import SimpleNamespace
+from textwrap import dedent
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -29,10 +29,12 @@ from IPython.display import Markdown, display
 
 from eval.figures import nnf_colours
 from eval.scenes import load_scene
-from eval.synthesis import synthesis
 from stylit_ref import Params, passes, replay, stylize
+from stylit_ref.machine.replaced import replaced
 from stylit_ref.metric.packing import ONE
-from stylit_ref.stylization.synthesis import texture_optimization
+from stylit_ref.stylization.backends import Backend
+from stylit_ref.stylization.problem import make_synthesis
+from stylit_ref.stylization.synthesis import Synthesis
 
 scene = load_scene("helmet/oil")
 images = scene.style, scene.source_guides, scene.target_guides
@@ -63,8 +65,9 @@ def show(place, image, title, **how):
 # rounding and the picture's border. The whole of it, as the library runs it:
 
 # %% tags=["hide-input"]
-source = getsource(texture_optimization)
-display(Markdown(f"```python\n{source[source.index('    done = 0') :]}```"))
+steps = Synthesis.run, Synthesis.run_level, Synthesis.vote, Synthesis.search
+source = "\n".join(dedent(getsource(step)) for step in steps)
+display(Markdown(f"```python\n{source}```"))
 
 # %% [markdown]
 # ## Watching
@@ -92,8 +95,9 @@ def watch(**values):
         deltas.append(("search", delta.mean() / ONE))
         return passes.energy(nnf, delta, omega_sums)
 
-    watched = vars(passes) | {"vote": vote, "similarity": similarity, "energy": energy}
-    synthesis(*images, Params(uniformity=0, **values), SimpleNamespace(**watched))
+    watched = replaced(passes, vote=vote, similarity=similarity, energy=energy)
+    params = Params(uniformity=0, **values)
+    make_synthesis(*images, params, backend=Backend(watched)).finish()
     return votes, deltas
 
 

@@ -35,14 +35,14 @@ from stylit_ref.formulae.candidates import random_candidate
 from stylit_ref.formulae.guide_map import scaled_variance
 from stylit_ref.metric.fast_metric import make_delta_bound
 from stylit_ref.metric.lower_bound import BOUND_SCALE
-from stylit_ref.metric.packing import ONE, make_packing
+from stylit_ref.metric.packing import ONE
 from stylit_ref.randomness.random_stream import (
     RANDOM_NNF,
     RANDOM_SEARCH,
     random_stream,
     random_words,
 )
-from stylit_ref.stylization.level import Level
+from stylit_ref.stylization.problem import make_synthesis
 from stylit_ref.stylization.schedules import propose_commit
 
 DATA = files("data_gen") / "bundled"
@@ -77,18 +77,19 @@ height, width = target_guides[0].shape[:2]
 #
 # The style's part stays as it is: paint has grain. The means and the map are made once a level,
 # by `stylit_ref/passes/guide_sums.py` and `guide_map.py`; a `Level` of the library holds them. We
-# pack the guides without a style first, so that its $\delta$ is that of the guides alone.
+# take a black style first, so that its $\delta$ is that of the guides alone.
+
 
 # %%
-packing = make_packing([3] * len(GUIDES), 3, guide_influence=2.0, guide_weights=[1.0] * len(GUIDES))
-everywhere = np.ones((height, width), bool)
+def random_level(style=style, **values):
+    """The only level of a run that begins, its NNF random."""
+    params = Params(levels=1, **values)
+    return make_synthesis(style, source_guides, target_guides, params).begin_level(1)
 
 
 def guides_level(epsilon):
     """One level whose δ compares the guides alone, with the guide map of ε."""
-    params = Params(method="guide_map", epsilon=epsilon)
-    source, target = packing.pack(source_guides), packing.pack(target_guides)
-    return Level(passes, packing, params, source, target, everywhere)
+    return random_level(np.zeros_like(style), method="guide_map", epsilon=epsilon)
 
 
 levels = {epsilon: guides_level(epsilon) for epsilon in (3, 25, 100, 500, 5000)}
@@ -152,7 +153,7 @@ def variances(texture, sums, first, level):
 textures = exact.textures
 var_p = variances(textures.target, textures.target_sums, 0, exact)
 var_q = variances(textures.source, textures.source_sums, -2, exact)[tuple(exact.nnf.T)].T
-weight = packing.weights[0] / ONE  # μ / n_g
+weight = level.packing.weights[0] / ONE  # μ / n_g
 limit = weight * exact.patch_width**2 * (np.sqrt(var_p) + np.sqrt(var_q)) ** 2
 print(f"largest loss over its limit: {(loss / np.maximum(limit, 1)).max():.3f}")
 
@@ -261,14 +262,8 @@ for ax in axes.flat:
 # and the candidates which random search draws around its assignments, radius after radius.
 
 # %%
-level = Level(
-    passes,
-    packing,
-    Params(),
-    packing.pack(source_guides, style),
-    packing.pack(target_guides),
-    everywhere,
-)
+level = random_level()
+packing = level.packing
 level.nnf[:] = ref.nnf
 level.vote()
 level.update_moments()
@@ -359,23 +354,11 @@ print(
 # then 0, and it evaluates in full what the other one rejects.
 
 # %%
-bounded, unbounded = (
-    Level(
-        passes,
-        packing,
-        Params(),
-        packing.pack(source_guides, style),
-        packing.pack(target_guides),
-        everywhere,
-    )
-    for _ in range(2)
-)
+bounded, unbounded = random_level(), random_level()
 unbounded.textures = unbounded.textures._replace(
     moment_weights=np.zeros_like(unbounded.textures.moment_weights)
 )
 for level in (bounded, unbounded):
-    passes.random_nnf(level.nnf, level.patch_width, *style.shape[:2], random_stream(0, RANDOM_NNF))
-    level.init_occurrence_map()
     level.vote()
     level.update_moments()
     for iteration in range(1, 4):
@@ -468,16 +451,13 @@ def fooling_pair():
 p, q = fooling_pair()
 assert p.dtype == q.dtype == np.uint8
 assert p.shape == q.shape == (5, 5)
-one_channel = make_packing([1], 1, guide_influence=1.0, guide_weights=[1.0])
 fooled = [
-    Level(
-        passes,
-        one_channel,
-        Params(method="guide_map", epsilon=epsilon),
-        one_channel.pack([np.pad(q, 5, mode="edge")[:, :, None]]),
-        one_channel.pack([p[:, :, None]]),
-        np.ones((5, 5), bool),
-    )
+    make_synthesis(
+        np.zeros((15, 15), np.uint8),
+        [np.pad(q, 5, mode="edge")],
+        [p],
+        Params(method="guide_map", epsilon=epsilon, guide_influence=1.0, levels=1),
+    ).begin_level(1)
     for epsilon in (0, 1e-6)
 ]
 for level in fooled:

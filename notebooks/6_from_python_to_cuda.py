@@ -49,7 +49,6 @@ import gpu_cuda
 from eval.sharpness import sharpness
 from gpu_cuda.host import device, doctor
 from stylit_ref import Params, passes, read_uint8, stylize
-from stylit_ref.metric.packing import make_packing
 from stylit_ref.randomness import philox
 from stylit_ref.randomness.commit_classes import CLASS_STRIDE, commit_order
 from stylit_ref.randomness.random_stream import (
@@ -59,7 +58,8 @@ from stylit_ref.randomness.random_stream import (
     random_stream,
 )
 from stylit_ref.stylization import schedules
-from stylit_ref.stylization.level import Level
+from stylit_ref.stylization.backends import Backend
+from stylit_ref.stylization.problem import make_synthesis
 
 DATA = files("data_gen") / "bundled"
 GUIDES = "FULL", "LDE", "LSE", "LDDE", "LD12E"
@@ -149,26 +149,16 @@ print(f"{threads} threads for {WIDTH * HEIGHT} pixels; the bytes of CPU and devi
 # much depends on $\Omega$. (Python's threads take turns every five milliseconds; a GPU's are not
 # that polite, so the simulator's shall take turns much more often.)
 
+
 # %%
-packing = make_packing([3] * len(GUIDES), 3, guide_influence=2.0, guide_weights=[1.0] * len(GUIDES))
-
-
 def start(where):
     """A level with random assignments, voted: the same on the CPU and on the device."""
-    source, target = packing.pack(source_guides, style), packing.pack(target_guides)
-    everywhere = np.ones((HEIGHT, WIDTH), bool)
-    params = Params(uniformity=50000)
-    level = Level(where, packing, params, where.upload(source), where.upload(target), everywhere)
-    where.random_nnf(level.nnf, 5, *style.shape[:2], random_stream(0, RANDOM_NNF, 1))
-    level.init_occurrence_map()
+    params = Params(uniformity=50000, levels=1)
+    images = style, source_guides, target_guides
+    level = make_synthesis(*images, params, backend=Backend(where)).begin_level(1)
     level.vote()
     level.update_moments()
     return level
-
-
-def fields_of(level):
-    """Assignments and proposals, as the passes of a search take them."""
-    return level.nnf, level.delta, level.proposed_nnf, level.proposed_delta
 
 
 def live_run():
@@ -243,14 +233,7 @@ print(f"Ω frozen: {rush.sum()} of {rush.size} pixels move to the one patch at o
 
 before = level.nnf.copy()
 stream = random_stream(0, COMMIT_ORDER, 1, 1, 1)
-passes.commit(
-    *fields_of(level),
-    level.omega_sums,
-    weight,
-    level.patch_width,
-    stream,
-    level.moves,
-)
+passes.commit(*level.commitment(stream))
 moved = (level.nnf != before).any(axis=2)
 print(f"committed in {CLASS_STRIDE**2} classes: {level.take_moves()} move")
 
@@ -310,8 +293,7 @@ def frozen(level, seed, level_number, vote, iteration):
     stream = random_stream(seed, RANDOM_SEARCH, level_number, vote, iteration)
     kernels = [(passes.propagation, distance) for distance in schedules.PROPAGATION_DISTANCES]
     for propose, parameter in [*kernels, (passes.random_search, stream)]:
-        metric = level.textures, level.omega_sums, level.occurrence_weight, level.patch_width
-        propose(*metric, *fields_of(level), parameter)
+        propose(*level.proposal, parameter)
         level.nnf, level.proposed_nnf = level.proposed_nnf, level.nnf
         level.delta, level.proposed_delta = level.proposed_delta, level.delta
         level.init_occurrence_map()
@@ -406,7 +388,7 @@ for threads in range(1, numba.config.NUMBA_NUM_THREADS + 1):
 # %% [markdown]
 # Only the search has to know about this. `stylize(..., backend="cuda")` runs the same loop over
 # levels and votes (`stylit_ref/stylization/synthesis.py`) with the module of passes exchanged, and
-# `Params(schedule="live")` takes the thesis' own kernels on a GPU.
+# `backend="cuda:live"` takes the thesis' own kernels on a GPU.
 #
 # ## Exercises
 #
@@ -475,13 +457,12 @@ def commit_class(nnf, delta, proposed_nnf, proposed_delta, sums, weight, first_y
 
 # %%
 level = start(passes)
-metric = level.textures, level.omega_sums, level.occurrence_weight, level.patch_width
-fields = fields_of(level)
-passes.random_search(*metric, *fields, random_stream(0, RANDOM_SEARCH, 1, 1, 1))
-mine = [array.astype(np.int64) for array in (*fields, level.omega_sums)]
+passes.random_search(*level.proposal, random_stream(0, RANDOM_SEARCH, 1, 1, 1))
+fields = level.nnf, level.delta, level.proposed_nnf, level.proposed_delta, level.omega_sums
+mine = [array.astype(np.int64) for array in fields]
 committed = []
 for where in (passes, gpu_cuda):
-    arrays = [where.upload(array.copy()) for array in (*fields, level.omega_sums)]
+    arrays = [where.upload(array.copy()) for array in fields]
     where.commit(*arrays, level.occurrence_weight, 5, stream, where.zeros(1, np.int64))
     committed.append([where.download(arrays[n]) for n in (0, 1, 4)])
 for first_y, first_x in order:

@@ -33,7 +33,7 @@ import numpy as np
 from eval.sharpness import richness
 from eval.usage import coverage, distinct_patches, peak_usage
 from stylit_ref import Params, passes, read_uint8, stylize
-from stylit_ref.metric.packing import ONE, make_packing
+from stylit_ref.metric.packing import ONE
 from stylit_ref.passes.claims import FIXED
 from stylit_ref.randomness.random_stream import RETRIEVAL_NNF, RETRIEVAL_SEARCH, random_stream
 from stylit_ref.stylization.error_budget import (
@@ -42,7 +42,7 @@ from stylit_ref.stylization.error_budget import (
     fit_hyperbola,
     knee,
 )
-from stylit_ref.stylization.level import Level
+from stylit_ref.stylization.problem import make_synthesis
 from stylit_ref.stylization.schedules import propose_commit
 from stylit_ref.stylization.stylit import Retrieval
 
@@ -83,15 +83,12 @@ washed_out = run(uniformity=0)
 #
 # over all target patches $q$ that are still free. At first all of them are.
 
+
 # %%
-packing = make_packing([3] * len(GUIDES), 3, guide_influence=2.0, guide_weights=[1.0] * len(GUIDES))
-
-
 def start():
     """The finest level with the picture of λ = 0, searched from target to source."""
-    source, target = packing.pack(source_guides, style), packing.pack(target_guides)
-    params = Params(method="stylit", uniformity=0)
-    level = Level(passes, packing, params, source, target, np.ones((height, width), bool))
+    params = Params(method="stylit", levels=1)
+    level = make_synthesis(style, source_guides, target_guides, params).begin_level(1)
     level.nnf[:] = washed_out.nnf
     level.vote()
     level.init_occurrence_map()

@@ -1,0 +1,134 @@
+"""A run entered at every step, and what several runs share."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from small_scene import small_scene
+
+from stylit_ref import Params, passes, stylize
+from stylit_ref.machine.replaced import replaced
+from stylit_ref.stylization.backends import Backend
+from stylit_ref.stylization.problem import make_synthesis
+from stylit_ref.stylization.synthesis import Synthesis
+
+PARAMS = Params(levels=3, votes=2, patchmatch_iterations=2)
+METHODS = [
+    PARAMS,
+    replace(PARAMS, method="guide_map", epsilon=300),
+    replace(PARAMS, method="stylit", budget=0.9),
+]
+
+
+def same(level, result):
+    """Whether a finished level is the result of a run."""
+    np.testing.assert_array_equal(level.nnf, result.nnf)
+    np.testing.assert_array_equal(level.style, result.image)
+    np.testing.assert_array_equal(level.omega, result.omega)
+
+
+@pytest.mark.parametrize("params", METHODS, ids=lambda params: params.method)
+def test_step_by_step_is_the_same_as_at_once(params):
+    at_once = stylize(*small_scene(), params, seed=3)
+    synthesis = make_synthesis(*small_scene(), params, seed=3)
+    steps = []
+    for number in synthesis.level_numbers:
+        synthesis.begin_level(number)
+        for _ in range(synthesis.votes):
+            synthesis.vote()
+            steps += synthesis.search()
+        synthesis.end_level()
+    same(synthesis.level, at_once)
+    assert tuple(steps) == at_once.history
+
+
+def test_two_targets_share_an_exemplar_and_take_turns():
+    """As frames of a sequence do; levels count from the finest where they are shared."""
+    style, sources, targets = small_scene()
+    others = [np.ascontiguousarray(guide[::-1, 3:]) for guide in targets]
+    deep, flat = PARAMS, replace(PARAMS, levels=2)
+    first = make_synthesis(style, sources, targets, deep, seed=3)
+    target = make_synthesis(style, sources, others, flat).target
+    second = Synthesis(first.exemplar, target, flat, seed=4)
+    running = [first.run(), second.run()]
+    while running:
+        running = [run for run in running if next(run, None)]
+    same(first.level, stylize(style, sources, targets, deep, seed=3))
+    same(second.level, stylize(style, sources, others, flat, seed=4))
+    assert first.level.textures.source is second.level.textures.source
+    assert first.level.textures.source_moments is second.level.textures.source_moments
+
+
+def counting(calls):
+    """The passes; what they make of the source is counted."""
+
+    def patch_moments(texture, moments, patch_width, first, *style, style_only=False):
+        calls.append("moments of the source" if first else "moments of the target")
+        passes.patch_moments(texture, moments, patch_width, first, *style, style_only=style_only)
+
+    def means(texture, sums, patch_width, first):
+        calls.append("sums of the source" if first else "sums of the target")
+        passes.means(texture, sums, patch_width, first)
+
+    return replaced(passes, patch_moments=patch_moments, means=means)
+
+
+def test_what_belongs_to_the_source_is_made_once():
+    params, calls = METHODS[1], []
+    synthesis = make_synthesis(*small_scene(), params, backend=Backend(counting(calls)))
+    synthesis.finish()
+    assert calls.count("moments of the source") == calls.count("sums of the source") == 3
+    again = Synthesis(synthesis.exemplar, synthesis.target, params, seed=1)
+    again.finish()
+    assert calls.count("moments of the source") == calls.count("sums of the source") == 3
+    assert calls.count("sums of the target") == 6
+    synthesis.exemplar.forget(0)
+    Synthesis(synthesis.exemplar, synthesis.target, params).finish()
+    assert calls.count("moments of the source") == 4
+
+
+def test_another_painting_over_the_same_guides():
+    style, sources, targets = small_scene()
+    first = make_synthesis(style, sources, targets, PARAMS, seed=3)
+    first.finish()
+    repainted = Synthesis(first.exemplar.repainted(255 - style), first.target, PARAMS, seed=3)
+    same(repainted.finish(), stylize(255 - style, sources, targets, PARAMS, seed=3))
+    same(first.level, stylize(style, sources, targets, PARAMS, seed=3))
+
+
+def test_a_run_that_is_stopped_and_entered_again():
+    """The NNF of a level is all that a run needs to go on from there."""
+    whole = make_synthesis(*small_scene(), PARAMS, seed=3)
+    kept = {}
+    for step in whole.run():
+        if (step.level, step.vote, step.patchmatch_iteration) == (2, 1, 2):
+            kept["nnf"] = whole.level.nnf.copy()
+    resumed = make_synthesis(*small_scene(), PARAMS, seed=3)
+    level = resumed.begin_level(2)
+    level.nnf[:] = kept["nnf"]
+    level.init_occurrence_map()
+    resumed.vote_number = 1
+    resumed.vote()
+    steps = list(resumed.search())
+    resumed.end_level()
+    steps += resumed.run_level(3)
+    same(resumed.level, stylize(*small_scene(), PARAMS, seed=3))
+    assert steps[0].vote == 2
+    assert steps[-1].done == 1
+
+
+def test_a_style_of_ones_own_between_vote_and_search():
+    synthesis = make_synthesis(*small_scene(), replace(PARAMS, levels=1), seed=3)
+    level = synthesis.begin_level(1)
+    synthesis.vote()
+    voted, delta = level.style.copy(), level.delta.copy()
+    level.set_style(255 - voted)
+    np.testing.assert_array_equal(level.style, 255 - voted)
+    assert (level.delta != delta).any()
+    level.set_style(voted)
+    np.testing.assert_array_equal(level.delta, delta)
+    before = list(synthesis.search())
+    again = make_synthesis(*small_scene(), replace(PARAMS, levels=1), seed=3)
+    again.begin_level(1)
+    again.vote()
+    assert list(again.search()) == before
