@@ -146,6 +146,7 @@ class Copy:
         file.write_text(text.replace(old, new), encoding="utf-8")
 
 
+@pytest.mark.slow
 def test_an_edit_compiles_what_it_concerns_and_nothing_else(tmp_path):
     library = Copy(tmp_path)
     assert library.run(DOWNSAMPLE) == "8 compiled"
@@ -157,6 +158,7 @@ def test_an_edit_compiles_what_it_concerns_and_nothing_else(tmp_path):
     assert library.run(DOWNSAMPLE) == "9 compiled"
 
 
+@pytest.mark.slow
 def test_a_kernel_outside_the_library_is_never_stale(tmp_path):
     library = Copy(tmp_path)
     (tmp_path / "formula.py").write_text(
