@@ -12,6 +12,7 @@ from numba import get_num_threads, njit, prange, set_num_threads
 from stylit_ref.formulae.improve_assignment import take_proposal
 from stylit_ref.formulae.patch_penalization import update_omega_sums
 from stylit_ref.machine.kernel import kernel
+from stylit_ref.metric.proposal import Commitment
 from stylit_ref.randomness.commit_classes import CLASS_STRIDE, commit_order
 
 # Threads meet 33 times in a commit. On fewer pixels than this it costs more than it saves, and
@@ -36,10 +37,9 @@ def _decide(nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_wei
 
 
 @kernel()
-def _commit(
-    nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, patch_width, stream,
-    columns, counts, order, bands,
-):  # fmt: skip
+def _commit(commitment, columns, counts, order, bands):
+    nnf, delta, proposed_nnf, proposed_delta = commitment[:4]
+    omega_sums, occurrence_weight, patch_width, stream, _ = commitment[4:]
     height, width = delta.shape
     for y in prange(height):
         for x in range(width):
@@ -96,6 +96,10 @@ def commit(
     moves : (1,) int64
         The number of pixels that moved is added to it.
     """
+    commitment = Commitment(
+        nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, patch_width,
+        stream, moves,
+    )  # fmt: skip
     height, width = delta.shape
     # The columns of the pixels that have a proposal, by row and class; then of those that moved.
     columns = np.empty((height, CLASS_STRIDE, -(-width // CLASS_STRIDE)), np.int32)
@@ -105,10 +109,7 @@ def commit(
     threads = available if delta.size >= FEWEST_PIXELS_FOR_THREADS else 1
     set_num_threads(threads)
     try:
-        _commit(
-            nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, patch_width,
-            stream, columns, counts, order, threads,
-        )  # fmt: skip
+        _commit(commitment, columns, counts, order, threads)
     finally:
         set_num_threads(available)
     moves[0] += counts.sum()

@@ -19,6 +19,7 @@ def _make_kernel(patch_width, channels, moments_a_patch, mean_channels):
         patch_width, channels, moments_a_patch, mean_channels
     ).improve_proposal
 
+    # Its arguments stay apart: Numba takes no named tuple within another one into a prange loop.
     @kernel(patch_width, channels, moments_a_patch, mean_channels)
     def propagation_kernel(
         textures, omega_sums, occurrence_weight, nnf, delta, new_nnf, new_delta, distance
