@@ -33,6 +33,20 @@ class MetricConstants(NamedTuple):
         weighted_channels = 2 * (1 + int(np.flatnonzero(textures.pair_weights)[-1]))
         return cls(patch_width, textures.source.shape[2], weighted_channels, mean_channels)
 
+    @classmethod
+    def of_sizes(cls, sizes, with_map=False):
+        """Those of kernels that are compiled without any textures.
+
+        Parameters
+        ----------
+        sizes : gpu_cuda.host.argument_types.Sizes
+        with_map : bool
+            Whether there is a guide map.
+        """
+        weighted_channels = sizes.guide_channels + sizes.style_channels + sizes.style_channels % 2
+        mean_channels = sizes.guide_channels if with_map else 0
+        return cls(sizes.patch_width, sizes.channels, weighted_channels, mean_channels)
+
     @property
     def radius(self):
         """Patch radius."""

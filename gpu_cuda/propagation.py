@@ -9,6 +9,7 @@ from gpu_cuda.host.argument_types import INT, SEARCH
 from gpu_cuda.host.device import BLOCK, compiled_for, formula
 from gpu_cuda.improve_proposal import make_improve_proposal
 from gpu_cuda.metric import launch_search
+from gpu_cuda.metric_constants import MetricConstants
 from gpu_cuda.target_patches import make_target_patch
 from stylit_ref.metric.proposal import Proposal
 
@@ -66,9 +67,11 @@ def make_kernel(constants, block=BLOCK, shared=False):
 def kernels(sizes):
     """Every kernel's name, the kernel and the types of its arguments."""
     arguments = *SEARCH, INT
-    yield "propagation", make_kernel(sizes.constants, sizes.block), arguments
-    yield "propagation, shared", make_kernel(sizes.constants, sizes.block, shared=True), arguments
-    yield "propagation, guide map", make_kernel(sizes.constants_with_map, sizes.block), arguments
+    plain = MetricConstants.of_sizes(sizes)
+    with_map = MetricConstants.of_sizes(sizes, with_map=True)
+    yield "propagation", make_kernel(plain, sizes.block), arguments
+    yield "propagation, shared", make_kernel(plain, sizes.block, shared=True), arguments
+    yield "propagation, guide map", make_kernel(with_map, sizes.block), arguments
 
 
 def propagation(

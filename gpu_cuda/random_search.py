@@ -16,6 +16,7 @@ from gpu_cuda.host.argument_types import INT, SEARCH, STREAM
 from gpu_cuda.host.device import BLOCK, compiled_for, formula
 from gpu_cuda.improve_proposal import make_improve_proposal
 from gpu_cuda.metric import launch_search
+from gpu_cuda.metric_constants import MetricConstants
 from gpu_cuda.target_patches import make_target_patch
 from stylit_ref.formulae.search_radii import number_of_radii
 from stylit_ref.metric.proposal import Proposal
@@ -62,9 +63,11 @@ def make_kernel(constants, block=BLOCK, shared=False):
 def kernels(sizes):
     """Every kernel's name, the kernel and the types of its arguments."""
     arguments = *SEARCH, STREAM, INT
-    yield "random_search", make_kernel(sizes.constants, sizes.block), arguments
-    yield "random_search, shared", make_kernel(sizes.constants, sizes.block, shared=True), arguments
-    yield "random_search, guide map", make_kernel(sizes.constants_with_map, sizes.block), arguments
+    plain = MetricConstants.of_sizes(sizes)
+    with_map = MetricConstants.of_sizes(sizes, with_map=True)
+    yield "random_search", make_kernel(plain, sizes.block), arguments
+    yield "random_search, shared", make_kernel(plain, sizes.block, shared=True), arguments
+    yield "random_search, guide map", make_kernel(with_map, sizes.block), arguments
 
 
 def random_search(

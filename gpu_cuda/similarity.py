@@ -37,8 +37,9 @@ def make_kernel(constants):
 def kernels(sizes):
     """Every kernel's name, the kernel and the types of its arguments."""
     arguments = *METRIC, INT, NNF, DELTA
-    yield "similarity", make_kernel(sizes.constants), arguments
-    yield "similarity, guide map", make_kernel(sizes.constants_with_map), arguments
+    yield "similarity", make_kernel(MetricConstants.of_sizes(sizes)), arguments
+    with_map = MetricConstants.of_sizes(sizes, with_map=True)
+    yield "similarity, guide map", make_kernel(with_map), arguments
 
 
 def similarity(textures, patch_width, nnf, delta):

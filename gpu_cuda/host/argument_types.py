@@ -8,8 +8,6 @@ from typing import NamedTuple
 
 from numba import types
 
-from gpu_cuda.metric_constants import MetricConstants
-
 IMAGE, SUMS = types.uint8[:, :, ::1], types.uint16[:, :, ::1]
 WORDS, MAP, WHITE = types.uint32[::1], types.int32[:, ::1], types.boolean[:, ::1]
 NNF, DELTA = types.int32[:, :, ::1], types.int64[:, ::1]
@@ -35,14 +33,3 @@ class Sizes(NamedTuple):
     channels: int = 32
     style_channels: int = 3
     guide_channels: int = 16
-
-    @property
-    def constants(self):
-        """MetricConstants without a guide map."""
-        weighted = self.guide_channels + self.style_channels + self.style_channels % 2
-        return MetricConstants(self.patch_width, self.channels, weighted, 0)
-
-    @property
-    def constants_with_map(self):
-        """MetricConstants with one."""
-        return self.constants._replace(mean_channels=self.guide_channels)

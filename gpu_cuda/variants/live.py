@@ -138,7 +138,7 @@ def _make_kernels(constants, lambda_rho, update):
 def kernels(sizes):
     """Every kernel's name, the kernel and the types of its arguments."""
     for map_name, make_kernels in (("Ω", omega_kernels), ("W", omega_sums_kernels)):
-        propagation_kernel, random_search_kernel = make_kernels(sizes.constants)
+        propagation_kernel, random_search_kernel = make_kernels(MetricConstants.of_sizes(sizes))
         first = *METRIC, MAP, INT, NNF
         yield f"live propagation, {map_name}", propagation_kernel, (*first, NNF, INT)
         yield f"live random search, {map_name}", random_search_kernel, (*first, STREAM, INT)
