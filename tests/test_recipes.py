@@ -115,6 +115,7 @@ GPU_PASS = '''"""An image turned into its negative."""
 
 from numba import cuda
 
+from gpu_cuda.host.argument_types import IMAGE
 from gpu_cuda.host.device import launch
 
 
@@ -124,6 +125,11 @@ def negative_kernel(image, made):
     if y < image.shape[0] and x < image.shape[1]:
         for c in range(image.shape[2]):
             made[y, x, c] = 255 - image[y, x, c]
+
+
+def kernels(sizes):
+    """Every kernel's name, the kernel and the types of its arguments."""
+    yield "negative", negative_kernel, (IMAGE, IMAGE)
 
 
 def negative(image, made):
@@ -161,8 +167,9 @@ def test_a_pass(code):
     checks = (
         "tests/passes/test_interface.py",
         "tests/gpu_cuda/test_passes.py",
+        "tests/gpu_cuda/test_ptx.py",
         "-k",
-        "called or mirror",
+        "called or mirror or compiled",
     )
     said = code.python("-m", "pytest", "-p", "no:cacheprovider", *checks, **simulated)
     assert " passed" in said
