@@ -90,6 +90,7 @@ def test_a_program_says_by_its_exit_code_that_it_does_not_do_a_stage(tmp_path):
     assert outcome.status == NOT_OFFERED
 
 
+@pytest.mark.slow
 def test_a_program_has_so_long_and_no_heir(tmp_path, capsys):
     """What it starts ends with it."""
     port = tmp_path / "port.py"

@@ -103,7 +103,14 @@ def test_methods_leave_masked_pixels_alone(method):
 
 @pytest.mark.parametrize("method", ["guide_map", "stylit"])
 @pytest.mark.parametrize(
-    "sizes", [((5, 5), (5, 5)), ((5, 40), (30, 6)), ((60, 60), (5, 7)), ((6, 5), (40, 40))], ids=str
+    "sizes",
+    [
+        ((5, 5), (5, 5)),
+        ((5, 40), (30, 6)),
+        ((60, 60), (5, 7)),
+        pytest.param(((6, 5), (40, 40)), marks=pytest.mark.slow),  # hundreds of retrievals
+    ],
+    ids=str,
 )
 def test_methods_take_narrow_and_uneven_images(method, sizes):
     scene = small_scene(source_size=sizes[0], target_size=sizes[1])
