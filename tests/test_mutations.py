@@ -18,7 +18,7 @@ class Mutation(NamedTuple):
 
 MUTATIONS = {
     "an equal candidate replaces": Mutation(
-        "stylit_ref/metric/fast_metric.py",
+        "stylit_ref/formulae/improve_assignment.py",
         "if penalty + delta >= best_phi:",
         "if penalty + delta > best_phi:",
         "tests/passes/test_proposals.py::test_equal_candidates_do_not_move",
@@ -56,20 +56,20 @@ MUTATIONS = {
     ),
     "patches on the first row do not vote": Mutation(
         "stylit_ref/passes/vote.py",
-        "not (0 <= y + dy < height and",
-        "not (0 < y + dy < height and",
+        "not (0 <= near_y < height and",
+        "not (0 < near_y < height and",
         "tests/passes/test_vote.py::test_vote_is_the_mean_rounded_half_up[{}]",
     ),
     "a random search over twice the distance": Mutation(
-        "stylit_ref/passes/random_search.py",
-        "radii = ((side or max(delta.shape)) // 2).bit_length()",
-        "radii = (side or max(delta.shape)).bit_length()",
+        "stylit_ref/formulae/search_radii.py",
+        "return (int(side) // 2).bit_length()",
+        "return int(side).bit_length()",
         "tests/passes/test_proposals.py::test_random_search[{}]",
     ),
     "the means' part of δ rounded to the nearest": Mutation(
         "stylit_ref/formulae/guide_map.py",
-        "return guides // (patch_width * patch_width) + style_ssd(",
-        "return (guides + patch_width) // (patch_width * patch_width) + style_ssd(",
+        "return total // (patch_width * patch_width)",
+        "return (total + patch_width) // (patch_width * patch_width)",
         "tests/passes/test_guide_map.py::test_delta_of_white_patches_compares_means"
         "[{'smooth': True}]",
     ),
