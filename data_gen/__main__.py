@@ -8,7 +8,8 @@ import sys
 from pathlib import Path
 
 from data_gen.manifest import DataError
-from data_gen.produce import SCENES, produce
+from data_gen.pieces import SCENES
+from data_gen.produce import produce
 from data_gen.renderer import MissingRendererError
 
 SMALLEST, LARGEST = 16, 8192
@@ -19,7 +20,7 @@ def main(arguments=None):
     parser = argparse.ArgumentParser(prog="python -m data_gen", description=__doc__)
     parser.add_argument("--size", type=_size, default=(1200, 912), help="default: 1200x912")
     parser.add_argument(
-        "--scenes", type=_scenes, default=SCENES,
+        "--scenes", type=_scenes, default=tuple(SCENES),
         help=f"comma-separated, default all: {','.join(SCENES)}; the source is always made",
     )  # fmt: skip
     parser.add_argument("--samples", type=_count, default=64, help="a pixel, a square; default 64")

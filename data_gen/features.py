@@ -22,6 +22,7 @@ from typing import NamedTuple
 import mitsuba as mi
 import numpy as np
 
+from data_gen.load import point_on_light
 from data_gen.visibility import sees
 from data_gen.wireframe import wireframe
 
@@ -120,7 +121,7 @@ def _light_mask(rendered, scene, surface, highlights):
     seen = surface.part >= 0
     steps = (2 * np.arange(_LIGHT_SIDE) + 1) / _LIGHT_SIDE - 1
     visible = sum(
-        sees(rendered, surface.position, surface.normal, scene.light.point(u, v))
+        sees(rendered, surface.position, surface.normal, point_on_light(scene.light, u, v))
         for u in steps
         for v in steps
     )

@@ -29,13 +29,11 @@ class Limits(NamedTuple):
     high: tuple
 
 
-LIMITS = {
-    "stage": Limits(6.0, 13.5, (-4.0, 0.0, -4.0), (4.0, 5.0, 4.0)),
-    "house": Limits(11.0, 36.0, (-9.0, 0.0, -9.0), (9.0, 7.0, 9.0)),
-}
+STAGE_LIMITS = Limits(6.0, 13.5, (-4.0, 0.0, -4.0), (4.0, 5.0, 4.0))
+HOUSE_LIMITS = Limits(11.0, 36.0, (-9.0, 0.0, -9.0), (9.0, 7.0, 9.0))
 
 
-def guide(name, layer, limits=LIMITS["stage"]):
+def guide(name, layer, limits=STAGE_LIMITS):
     """A layer as an 8-bit image.
 
     Parameters

@@ -96,3 +96,6 @@ class LightPaths(mi.SamplingIntegrator):
 def _mis(pdf, other_pdf):
     """Power heuristic."""
     return dr.select(pdf > 0, pdf**2 / (pdf**2 + other_pdf**2), 0)
+
+
+mi.register_integrator("light_paths", LightPaths)

@@ -8,6 +8,7 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 NAME = "manifest.json"
+GUIDE_OF_EVERY_VIEW = "FULL.png"
 _PARTIAL = NAME + ".partial"
 _MADE_WITH = (
     "mitsuba", "drjit", "mitsuba-oidn", "numpy", "scipy", "scikit-image", "matplotlib",
@@ -95,14 +96,17 @@ class Manifest:
 
     @property
     def targets(self):
-        """Names of the views that are there, apart from the source."""
-        return [piece for piece in self.pieces if piece not in ("source", "house/motion")]
+        """Names of the views that are there and that no style was painted over."""
+        return [
+            piece
+            for piece, files in self.pieces.items()
+            if f"{piece}/{GUIDE_OF_EVERY_VIEW}" in files and not _styles(files)
+        ]
 
     @property
     def styles(self):
         """Names of the styles that are there."""
-        files = map(Path, self.pieces.get("source", ()))
-        return [file.stem for file in files if file.parent.name == "styles"]
+        return [style for files in self.pieces.values() for style in _styles(files)]
 
     def path(self, file):
         """Path of one of its files, which is still what was written.
@@ -154,6 +158,11 @@ class Manifest:
             os.replace(partial, self.folder / NAME)
         finally:
             partial.unlink(missing_ok=True)
+
+
+def _styles(files):
+    """Names of the styles among the files of a piece."""
+    return [Path(file).stem for file in files if Path(file).parent.name == "styles"]
 
 
 def _pieces(content):

@@ -15,20 +15,14 @@ import shutil
 from contextlib import contextmanager
 from pathlib import Path
 
-from skimage.io import imsave
 from tqdm import tqdm
 
-from data_gen.camera import GRID
-from data_gen.guides import LIMITS, guide, to_uint8
 from data_gen.manifest import Manifest, recipe
-from data_gen.models import TARGETS
-from data_gen.multilayer_exr import write_layers
+from data_gen.pieces import SCENES, SOURCE
 from data_gen.renderer import start
 
-SCENES = (*TARGETS, "house")
 
-
-def produce(folder, size, scenes=SCENES, samples=64, seed=0, exr=True):
+def produce(folder, size, scenes=tuple(SCENES), samples=64, seed=0, exr=True):
     """Render and paint what is not there yet.
 
     Parameters
@@ -37,7 +31,7 @@ def produce(folder, size, scenes=SCENES, samples=64, seed=0, exr=True):
     size : (int, int)
         Width, height.
     scenes : iterable of str
-        Of ``SCENES``; the source and the styles always belong to them.
+        Of :data:`data_gen.pieces.SCENES`; the source and the styles always belong to them.
     samples : int
         A pixel.
     seed : int
@@ -47,7 +41,7 @@ def produce(folder, size, scenes=SCENES, samples=64, seed=0, exr=True):
     Returns
     -------
     list of str
-        The pieces made now; others were there.
+        Names of the pieces made now; others were there.
 
     Raises
     ------
@@ -59,9 +53,9 @@ def produce(folder, size, scenes=SCENES, samples=64, seed=0, exr=True):
     folder = Path(folder)
     manifest = Manifest.open(folder)
     asked = recipe(size, samples, seed, exr)
-    pieces = _pieces(scenes)
+    pieces = [SOURCE, *(piece for scene in dict.fromkeys(scenes) for piece in SCENES[scene])]
     if manifest.recipe == asked:
-        pieces = [piece for piece in pieces if not manifest.complete(piece)]
+        pieces = [piece for piece in pieces if not manifest.complete(piece.name)]
     if not pieces:
         return []
     start()
@@ -71,14 +65,14 @@ def produce(folder, size, scenes=SCENES, samples=64, seed=0, exr=True):
     rendering = Rendering(size, samples, seed)
     with tqdm(pieces, unit="piece", disable=None) as bar:
         for piece in bar:
-            bar.set_description(piece)
+            bar.set_description(piece.name)
             with _partial(folder) as partial:
-                _make(piece, partial, rendering, exr)
-                shutil.rmtree(folder / piece, ignore_errors=True)
-                (folder / piece).parent.mkdir(exist_ok=True)
-                partial.rename(folder / piece)
-            manifest.add(piece)
-    return pieces
+                piece.make(partial, rendering, exr)
+                shutil.rmtree(folder / piece.name, ignore_errors=True)
+                (folder / piece.name).parent.mkdir(exist_ok=True)
+                partial.rename(folder / piece.name)
+            manifest.add(piece.name)
+    return [piece.name for piece in pieces]
 
 
 @contextmanager
@@ -91,42 +85,3 @@ def _partial(folder):
         yield partial
     finally:
         shutil.rmtree(partial, ignore_errors=True)
-
-
-def _make(piece, folder, rendering, exr):
-    if piece == "house/motion":
-        for name, layers in rendering.motion():
-            write_layers(folder / f"{name}.exr", layers)
-        return
-    layers = rendering.view(piece)
-    _write_view(folder, layers, LIMITS["house" if piece.startswith("house") else "stage"], exr)
-    if piece == "source":
-        _paint(folder / "styles", layers)
-
-
-def _pieces(scenes):
-    pieces = ["source"]
-    for scene in dict.fromkeys(scenes):
-        if scene == "house":
-            views = ("source", *(f"{row}_{column}" for row, column in GRID), "motion")
-            pieces += [f"house/{view}" for view in views]
-        else:
-            pieces.append(scene)
-    return pieces
-
-
-def _write_view(folder, layers, limits, exr):
-    if exr:
-        write_layers(folder / "passes.exr", layers)
-    for name, layer in layers.items():
-        image = guide(name, layer, limits)
-        imsave(folder / f"{name}.png", image.squeeze(), check_contrast=False)
-
-
-def _paint(folder, layers):
-    from data_gen.styles import STYLES, subject  # imports what start() looks for
-
-    folder.mkdir()
-    seen = subject(layers)
-    for name, paint in STYLES.items():
-        imsave(folder / f"{name}.png", to_uint8(paint(seen)), check_contrast=False)

@@ -1,4 +1,4 @@
-"""Scenes for the renderer: parts with materials, one area light, a camera.
+"""Scenes: parts with materials, one area light, a camera.
 
 ``on_stage`` is the scene of Fišer et al. 2016 and of thesis 4.1: a red glossy object on a
 white ground before a white wall. ``house_scene`` is an architectural one (Hauptfleisch
@@ -7,7 +7,6 @@ white ground before a white wall. ``house_scene`` is an architectural one (Haupt
 
 from typing import NamedTuple
 
-import mitsuba as mi
 import numpy as np
 
 from data_gen.models.house import ground, house
@@ -21,14 +20,6 @@ class Light(NamedTuple):
     target: tuple
     half: tuple
     radiance: float
-
-    def point(self, u, v):
-        """The point at ``u``, ``v`` in [-1, 1] along its sides."""
-        return np.array(self.to_world() @ mi.ScalarPoint3f(u, v, 0))
-
-    def to_world(self):
-        turn = mi.ScalarTransform4f().look_at(self.middle, self.target, (0, 1, 0))
-        return turn @ mi.ScalarTransform4f().scale((*self.half, 1))
 
 
 class Material(NamedTuple):
@@ -96,66 +87,3 @@ def house_scene():
         light=Light((16.0, 17.0, 15.0), (0.0, 2.0, 0.0), (2.5, 2.5), 105.0),
         sky=0.4,
     )
-
-
-def load(scene, camera, height, width, samples, integrator):
-    """The renderer's form of a scene and a view."""
-    look_at = mi.ScalarTransform4f().look_at
-    entries = {
-        "type": "scene",
-        "integrator": integrator,
-        "sensor": {
-            "type": "perspective",
-            "fov": camera.field_of_view,
-            "fov_axis": "y",
-            "to_world": look_at(origin=camera.origin, target=camera.target, up=(0, 1, 0)),
-            "film": {
-                "type": "hdrfilm",
-                "width": width,
-                "height": height,
-                "rfilter": {"type": "box"},
-                "pixel_format": "rgb",
-                "component_format": "float32",
-            },
-            "sampler": {"type": "multijitter", "sample_count": samples},
-        },
-        "light": {
-            "type": "rectangle",
-            "to_world": scene.light.to_world(),
-            "emitter": {"type": "area", "radiance": _grey(scene.light.radiance)},
-        },
-    }
-    if scene.sky:
-        entries["sky"] = {"type": "constant", "radiance": _grey(scene.sky)}
-    for name, mesh in scene.parts.items():
-        entries[name] = _shape(name, mesh, scene.materials[name])
-    return mi.load_dict(entries, optimize=False)
-
-
-def _shape(name, mesh, material):
-    reflectance = {"type": "rgb", "value": list(material.reflectance)}
-    if material.roughness is None:
-        bsdf = {"type": "diffuse", "reflectance": reflectance}
-    else:
-        bsdf = {
-            "type": "roughplastic",
-            "diffuse_reflectance": reflectance,
-            "alpha": material.roughness,
-        }
-    properties = mi.Properties()
-    properties["bsdf"] = mi.load_dict({"type": "twosided", "bsdf": bsdf})
-    shape = mi.Mesh(
-        name, len(mesh.vertices), len(mesh.faces), props=properties,
-        has_vertex_normals=mesh.normals is not None,
-    )  # fmt: skip
-    values = mi.traverse(shape)
-    values["vertex_positions"] = mesh.vertices.ravel()
-    values["faces"] = mesh.faces.ravel()
-    if mesh.normals is not None:
-        values["vertex_normals"] = mesh.normals.ravel()
-    values.update()
-    return shape
-
-
-def _grey(value):
-    return {"type": "rgb", "value": [value] * 3}

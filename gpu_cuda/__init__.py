@@ -6,11 +6,12 @@ simulator.
 """
 
 import gpu_cuda.host.redirection  # noqa: F401
+from gpu_cuda.borders import repeat_edge
 from gpu_cuda.commit import commit
 from gpu_cuda.energy import energy
 from gpu_cuda.guide_map import guide_map
 from gpu_cuda.guide_sums import means
-from gpu_cuda.host.memory import download, repeat_edge, upload, wait, zeros
+from gpu_cuda.host.memory import download, upload, wait, zeros
 from gpu_cuda.occurrence import occurrence_map
 from gpu_cuda.patch_moments import moments_storage, patch_moments
 from gpu_cuda.propagation import propagation
@@ -18,7 +19,6 @@ from gpu_cuda.pyramid import downsample, upsample_nnf
 from gpu_cuda.random_nnf import random_nnf
 from gpu_cuda.random_search import random_search
 from gpu_cuda.similarity import similarity
-from gpu_cuda.variants.live import live_propagation, live_random_search
 from gpu_cuda.vote import vote
 
 __all__ = [
@@ -27,8 +27,6 @@ __all__ = [
     "downsample",
     "energy",
     "guide_map",
-    "live_propagation",
-    "live_random_search",
     "means",
     "moments_storage",
     "occurrence_map",

@@ -12,6 +12,7 @@ import numpy as np
 from numba import cuda
 
 from gpu_cuda.formulae import commit_order, take_proposal
+from gpu_cuda.host.argument_types import COMMITMENT, NUMBERS, STREAM
 from gpu_cuda.host.device import device_function, launch_cooperative
 from gpu_cuda.patch_penalization import update_omega_sums
 from stylit_ref.randomness.commit_classes import CLASS_STRIDE
@@ -70,6 +71,11 @@ def make_kernel(patch_width):
             cuda.atomic.add(moves, 0, moved)
 
     return commit_kernel
+
+
+def kernels(sizes):
+    """Every kernel's name, the kernel and the types of its arguments."""
+    yield "commit", make_kernel(sizes.patch_width), (*COMMITMENT, STREAM, NUMBERS)
 
 
 def commit(

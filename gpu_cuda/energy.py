@@ -1,12 +1,11 @@
 """Texture energy: the metric summed over all target patches (thesis 2.2)."""
 
-from functools import lru_cache
-
 import numpy as np
 from numba import cuda
 
+from gpu_cuda.host.argument_types import DELTA, MAP, NNF, TOTALS
 from gpu_cuda.host.device import launch
-from gpu_cuda.host.memory import empty, fill
+from gpu_cuda.host.memory import zeros
 
 ROWS_A_THREAD = 32
 
@@ -29,17 +28,15 @@ def sum_columns_kernel(nnf, delta, omega_sums, sums):
         cuda.atomic.add(sums, (x, 2), patches)
 
 
-@lru_cache(maxsize=1)
-def _scratch(width):
-    """The sums of each column: allocated once a level."""
-    return empty((width, 3), np.int64)
+def kernels(sizes):
+    """Every kernel's name, the kernel and the types of its arguments."""
+    yield "energy", sum_columns_kernel, (NNF, DELTA, MAP, TOTALS)
 
 
 def energy(nnf, delta, omega_sums):
     """As :func:`stylit_ref.passes.energy`, on device arrays."""
     height, width = delta.shape
-    sums = _scratch(width)
-    fill(sums, 0)
+    sums = zeros((width, 3), np.int64)
     launch(sum_columns_kernel, (-(-height // ROWS_A_THREAD), width), nnf, delta, omega_sums, sums)
     # Python's integers: the sum over all columns may pass 64 bits.
     total_delta, total_omega_sum, patches = sums.copy_to_host().astype(object).sum(axis=0)

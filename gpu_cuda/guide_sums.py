@@ -3,6 +3,7 @@
 from numba import cuda
 
 from gpu_cuda.formulae import patch_sum
+from gpu_cuda.host.argument_types import IMAGE, INT, SUMS
 from gpu_cuda.host.device import launch
 
 
@@ -13,6 +14,11 @@ def means_kernel(texture, sums, patch_width, first):
         return
     for c in range(sums.shape[2]):
         sums[first + y, first + x, c] = patch_sum(texture, y, x, c, patch_width)
+
+
+def kernels(sizes):
+    """Every kernel's name, the kernel and the types of its arguments."""
+    yield "means", means_kernel, (IMAGE, SUMS, INT, INT)
 
 
 def means(texture, sums, patch_width, first):

@@ -18,7 +18,7 @@ def make_assignment_delta(constants):
 
     Parameters
     ----------
-    constants : gpu_cuda.metric.MetricConstants
+    constants : gpu_cuda.metric_constants.MetricConstants
 
     Returns
     -------

@@ -1,54 +1,10 @@
 """What the kernels of the search need of the textures."""
 
-from typing import NamedTuple
-
 import numpy as np
 
 from gpu_cuda.host.device import BLOCK, launch
 from gpu_cuda.host.memory import kept_on_device
-from gpu_cuda.patch_ssd import WORD_CHANNELS
-
-
-class MetricConstants(NamedTuple):
-    """What the code of the metric is compiled for.
-
-    Attributes
-    ----------
-    patch_width : int
-    channels : int
-        Packed channels of a pixel, a multiple of 16.
-    weighted_channels : int
-        Without those at the end that weigh nothing.
-    mean_channels : int
-        The first of them, which means may stand for; 0 without a guide map.
-    """
-
-    patch_width: int
-    channels: int
-    weighted_channels: int
-    mean_channels: int
-
-    @classmethod
-    def of(cls, textures, patch_width):
-        """Those of a level's textures."""
-        mean_channels = 0 if textures.guide_map is None else textures.source_sums.shape[2]
-        weighted_channels = 2 * (1 + int(np.flatnonzero(textures.pair_weights)[-1]))
-        return cls(patch_width, textures.source.shape[2], weighted_channels, mean_channels)
-
-    @property
-    def radius(self):
-        """Patch radius."""
-        return self.patch_width // 2
-
-    @property
-    def pixel_words(self):
-        """Words of a packed pixel."""
-        return self.channels // WORD_CHANNELS
-
-    @property
-    def weighted_words(self):
-        """Words of a pixel that are read."""
-        return -(-self.weighted_channels // WORD_CHANNELS)
+from gpu_cuda.metric_constants import MetricConstants
 
 
 def metric_arrays(textures):
@@ -71,13 +27,29 @@ def words(texture):
     return texture.reshape(texture.size).view(np.uint32)
 
 
-def launch_search(
-    make_kernel, textures, omega_sums, occurrence_weight, patch_width,
-    nnf, delta, new_nnf, new_delta, *parameters, block=BLOCK, shared=False,
-):  # fmt: skip
-    """Run Kernel_Propagation or Kernel_RandomSearch; ``parameters`` are its last arguments."""
+def launch_search(make_kernel, proposal, *parameters, block=BLOCK, shared=False):
+    """Run Kernel_Propagation or Kernel_RandomSearch.
+
+    Parameters
+    ----------
+    make_kernel : callable
+        As :func:`gpu_cuda.propagation.make_kernel`.
+    proposal : stylit_ref.metric.proposal.Proposal
+    *parameters
+        The kernel's last arguments.
+    block : (int, int)
+        Threads of a block along x and y.
+    shared : bool
+        Whether a block reads its target patches from shared memory (5.1).
+    """
+    textures, omega_sums, occurrence_weight, patch_width, *assignments = proposal
     launch(
-        make_kernel(MetricConstants.of(textures, patch_width), block, shared), delta.shape,
-        *metric_arrays(textures), omega_sums, occurrence_weight,
-        nnf, delta, new_nnf, new_delta, *parameters, block=block,
-    )  # fmt: skip
+        make_kernel(MetricConstants.of(textures, patch_width), block, shared),
+        proposal.delta.shape,
+        *metric_arrays(textures),
+        omega_sums,
+        occurrence_weight,
+        *assignments,
+        *parameters,
+        block=block,
+    )

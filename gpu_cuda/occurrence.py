@@ -9,6 +9,7 @@ from functools import lru_cache
 import numpy as np
 from numba import cuda
 
+from gpu_cuda.host.argument_types import MAP, NNF
 from gpu_cuda.host.device import launch
 from gpu_cuda.host.memory import fill
 
@@ -38,6 +39,12 @@ def make_box_sum_kernel(patch_width):
         sums[y, x] = total
 
     return box_sum_kernel
+
+
+def kernels(sizes):
+    """Every kernel's name, the kernel and the types of its arguments."""
+    yield "count assignments", count_kernel, (NNF, MAP)
+    yield "box sum", make_box_sum_kernel(sizes.patch_width), (MAP, MAP)
 
 
 def occurrence_map(nnf, omega, omega_sums, patch_width):

@@ -5,10 +5,13 @@ from functools import lru_cache
 from numba import cuda
 
 from gpu_cuda.formulae import penalization, propagation_candidate
+from gpu_cuda.host.argument_types import INT, SEARCH
 from gpu_cuda.host.device import BLOCK, compiled_for, formula
 from gpu_cuda.improve_proposal import make_improve_proposal
 from gpu_cuda.metric import launch_search
+from gpu_cuda.metric_constants import MetricConstants
 from gpu_cuda.target_patches import make_target_patch
+from stylit_ref.metric.proposal import Proposal
 
 
 @lru_cache
@@ -17,7 +20,7 @@ def make_kernel(constants, block=BLOCK, shared=False):
 
     Parameters
     ----------
-    constants : gpu_cuda.metric.MetricConstants
+    constants : gpu_cuda.metric_constants.MetricConstants
     block : (int, int)
         Threads of a block along x and y.
     shared : bool
@@ -61,11 +64,21 @@ def make_kernel(constants, block=BLOCK, shared=False):
     return propagation_kernel
 
 
+def kernels(sizes):
+    """Every kernel's name, the kernel and the types of its arguments."""
+    arguments = *SEARCH, INT
+    plain = MetricConstants.of_sizes(sizes)
+    with_map = MetricConstants.of_sizes(sizes, with_map=True)
+    yield "propagation", make_kernel(plain, sizes.block), arguments
+    yield "propagation, shared", make_kernel(plain, sizes.block, shared=True), arguments
+    yield "propagation, guide map", make_kernel(with_map, sizes.block), arguments
+
+
 def propagation(
     textures, omega_sums, occurrence_weight, patch_width, nnf, delta, new_nnf, new_delta, distance
 ):
     """As :func:`stylit_ref.passes.propagation`, on device arrays."""
-    launch_search(
-        make_kernel, textures, omega_sums, occurrence_weight, patch_width,
-        nnf, delta, new_nnf, new_delta, distance,
-    )  # fmt: skip
+    proposal = Proposal(
+        textures, omega_sums, occurrence_weight, patch_width, nnf, delta, new_nnf, new_delta
+    )
+    launch_search(make_kernel, proposal, distance)

@@ -4,6 +4,7 @@ import numpy as np
 from numba import cuda
 
 from gpu_cuda.formulae import block_mean, upsampled_assignment
+from gpu_cuda.host.argument_types import IMAGE, INT, NNF
 from gpu_cuda.host.device import launch
 from gpu_cuda.host.memory import empty
 
@@ -15,6 +16,12 @@ def downsample_kernel(image, half):
         return
     for c in range(half.shape[2]):
         half[y, x, c] = block_mean(image, y, x, c)
+
+
+def kernels(sizes):
+    """Every kernel's name, the kernel and the types of its arguments."""
+    yield "downsample", downsample_kernel, (IMAGE, IMAGE)
+    yield "upsample NNF", upsample_nnf_kernel, (NNF, NNF, INT, INT, INT)
 
 
 def downsample(image):

@@ -12,11 +12,14 @@ from gpu_cuda.formulae import (
     search_radius,
     search_words,
 )
+from gpu_cuda.host.argument_types import INT, SEARCH, STREAM
 from gpu_cuda.host.device import BLOCK, compiled_for, formula
 from gpu_cuda.improve_proposal import make_improve_proposal
 from gpu_cuda.metric import launch_search
+from gpu_cuda.metric_constants import MetricConstants
 from gpu_cuda.target_patches import make_target_patch
 from stylit_ref.formulae.search_radii import number_of_radii
+from stylit_ref.metric.proposal import Proposal
 
 
 @lru_cache
@@ -57,12 +60,22 @@ def make_kernel(constants, block=BLOCK, shared=False):
     return random_search_kernel
 
 
+def kernels(sizes):
+    """Every kernel's name, the kernel and the types of its arguments."""
+    arguments = *SEARCH, STREAM, INT
+    plain = MetricConstants.of_sizes(sizes)
+    with_map = MetricConstants.of_sizes(sizes, with_map=True)
+    yield "random_search", make_kernel(plain, sizes.block), arguments
+    yield "random_search, shared", make_kernel(plain, sizes.block, shared=True), arguments
+    yield "random_search, guide map", make_kernel(with_map, sizes.block), arguments
+
+
 def random_search(
     textures, omega_sums, occurrence_weight, patch_width,
     nnf, delta, new_nnf, new_delta, stream, side=None,
 ):  # fmt: skip
     """As :func:`stylit_ref.passes.random_search`, on device arrays."""
-    launch_search(
-        make_kernel, textures, omega_sums, occurrence_weight, patch_width,
-        nnf, delta, new_nnf, new_delta, stream, number_of_radii(side or max(delta.shape)),
-    )  # fmt: skip
+    proposal = Proposal(
+        textures, omega_sums, occurrence_weight, patch_width, nnf, delta, new_nnf, new_delta
+    )
+    launch_search(make_kernel, proposal, stream, number_of_radii(side or max(delta.shape)))

@@ -4,15 +4,17 @@ from functools import lru_cache
 
 from numba import cuda
 
+from gpu_cuda.host.argument_types import DELTA, INT, METRIC, NNF
 from gpu_cuda.host.device import formula, launch
 from gpu_cuda.improve_proposal import NO_LIMIT, make_assignment_delta
-from gpu_cuda.metric import MetricConstants, metric_arrays
+from gpu_cuda.metric import metric_arrays
+from gpu_cuda.metric_constants import MetricConstants
 from gpu_cuda.target_patches import make_target_patch
 
 
 @lru_cache
 def make_kernel(constants):
-    """Compile the kernel for a level's :class:`gpu_cuda.metric.MetricConstants`."""
+    """Compile the kernel for a level's :class:`gpu_cuda.metric_constants.MetricConstants`."""
     assignment_delta = formula(make_assignment_delta(constants))
     target_patch = make_target_patch(constants, None, shared=False)
 
@@ -30,6 +32,14 @@ def make_kernel(constants):
             )  # fmt: skip
 
     return similarity_kernel
+
+
+def kernels(sizes):
+    """Every kernel's name, the kernel and the types of its arguments."""
+    arguments = *METRIC, INT, NNF, DELTA
+    yield "similarity", make_kernel(MetricConstants.of_sizes(sizes)), arguments
+    with_map = MetricConstants.of_sizes(sizes, with_map=True)
+    yield "similarity, guide map", make_kernel(with_map), arguments
 
 
 def similarity(textures, patch_width, nnf, delta):

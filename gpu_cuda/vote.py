@@ -5,7 +5,9 @@ from functools import lru_cache
 import numpy as np
 from numba import cuda
 
+from gpu_cuda.borders import repeat_own_edge
 from gpu_cuda.formulae import distance_from_mean, rounded_mean, voted_pixel, votes_kept
+from gpu_cuda.host.argument_types import IMAGE, INT, NNF
 from gpu_cuda.host.device import launch
 
 
@@ -69,29 +71,16 @@ def make_kernel(patch_width, style_channels, outliers):
     return vote_kernel
 
 
-@cuda.jit
-def repeat_edge_kernel(target, radius, first_channel, channels):
-    """Pixels of the border take the nearest pixel inside."""
-    x, y = cuda.grid(2)
-    height, width = target.shape[0], target.shape[1]
-    if y >= height or x >= width:
-        return
-    inside_y = min(max(y, radius), height - radius - 1)
-    inside_x = min(max(x, radius), width - radius - 1)
-    if inside_y != y or inside_x != x:
-        for c in range(first_channel, first_channel + channels):
-            target[y, x, c] = target[inside_y, inside_x, c]
+def kernels(sizes):
+    """Every kernel's name, the kernel and the types of its arguments."""
+    arguments = IMAGE, IMAGE, NNF, INT
+    yield "vote", make_kernel(sizes.patch_width, sizes.style_channels, 0), arguments
+    some_left_out = make_kernel(sizes.patch_width, sizes.style_channels, 4)
+    yield "vote, 4 outliers left out", some_left_out, arguments
 
 
 def vote(source, target, nnf, patch_width, style_channel, style_channels, outliers=0):
     """As :func:`stylit_ref.passes.vote`, on device arrays."""
     kernel = make_kernel(patch_width, style_channels, outliers)
     launch(kernel, nnf.shape[:2], source, target, nnf, style_channel)
-    launch(
-        repeat_edge_kernel,
-        target.shape[:2],
-        target,
-        patch_width // 2,
-        style_channel,
-        style_channels,
-    )
+    repeat_own_edge(target, patch_width // 2, style_channel, style_channels)

@@ -1,17 +1,10 @@
 """The fast tests catch mistakes: each of these, made in a copy of the checkout, fails them."""
 
-import os
 import re
-import shutil
-import subprocess
-import sys
-from pathlib import Path
 from typing import NamedTuple
 
 import pytest
-
-CHECKOUT = Path(__file__).parents[1]
-PACKAGES = ("stylit_ref", "gpu_cuda", "eval", "data_gen", "oracle", "tests")
+from code_copy import CHECKOUT, PACKAGES, CodeCopy
 
 
 class Mutation(NamedTuple):
@@ -90,43 +83,34 @@ MUTATIONS = {
 
 
 @pytest.fixture(scope="module")
-def checkout(tmp_path_factory):
+def code(tmp_path_factory):
     """A copy of what the tests need."""
-    copy = tmp_path_factory.mktemp("checkout")
-    for package in PACKAGES:
-        shutil.copytree(
-            CHECKOUT / package, copy / package, ignore=shutil.ignore_patterns("__pycache__")
-        )
-    shutil.copy(CHECKOUT / "pyproject.toml", copy)
+    copy = CodeCopy(tmp_path_factory.mktemp("checkout"), (*PACKAGES, "tests"))
+    copy.add("pyproject.toml", (CHECKOUT / "pyproject.toml").read_text(encoding="utf-8"))
     return copy
 
 
-def fast_tests(checkout, tests):
+def fast_tests(code, tests):
     """Exit code and output of those of the tests that are fast, up to the first failure."""
-    call = [
-        sys.executable, "-m", "pytest", "-x", "-m", "not slow", "-p", "no:cacheprovider", *tests,
-    ]  # fmt: skip
-    cache = {"NUMBA_CACHE_DIR": str(checkout / "kernels")}
-    run = subprocess.run(call, cwd=checkout, env=os.environ | cache, capture_output=True, text=True)
-    return run.returncode, run.stdout + run.stderr
+    options = "-x", "-m", "not slow", "-p", "no:cacheprovider"
+    done = code.try_python("-m", "pytest", *options, *tests)
+    return done.returncode, done.stdout + done.stderr
 
 
 @pytest.mark.slow
-def test_the_copy_passes(checkout):
-    code, said = fast_tests(checkout, {mutation.tests for mutation in MUTATIONS.values()})
-    assert code == pytest.ExitCode.OK, said
+def test_the_copy_passes(code):
+    result, said = fast_tests(code, {mutation.tests for mutation in MUTATIONS.values()})
+    assert result == pytest.ExitCode.OK, said
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("mistake", MUTATIONS)
-def test_a_mistake_is_caught(checkout, mistake):
+def test_a_mistake_is_caught(code, mistake):
     file, right, wrong, tests = MUTATIONS[mistake]
-    original = (checkout / file).read_text(encoding="utf-8")
-    assert original.count(right) == 1, f"{file} has changed: adapt this mutation"
-    (checkout / file).write_text(original.replace(right, wrong), encoding="utf-8")
+    code.edit(file, right, wrong)
     try:
-        code, said = fast_tests(checkout, [tests])
+        result, said = fast_tests(code, [tests])
     finally:
-        (checkout / file).write_text(original, encoding="utf-8")
-    assert code == pytest.ExitCode.TESTS_FAILED, said
+        code.edit(file, wrong, right)
+    assert result == pytest.ExitCode.TESTS_FAILED, said
     assert re.search(r"^1 failed", said, re.MULTILINE), said

@@ -20,14 +20,9 @@ from eval.pages.page import write_record
 from eval.provenance import provenance
 from gpu_cuda.host import doctor
 from gpu_cuda.host.device import kernel_times
-from gpu_cuda.metric import launch_search
-from gpu_cuda.propagation import make_kernel as make_propagation_kernel
-from gpu_cuda.random_search import make_kernel as make_random_search_kernel
 from gpu_cuda.variants import launched_commit, live, shared_memory
 from stylit_ref import Params
 from stylit_ref.files.output_file import write_text
-from stylit_ref.formulae.search_radii import number_of_radii
-from stylit_ref.machine.replaced import replaced
 from stylit_ref.stylization.backends import Backend
 from stylit_ref.stylization.problem import make_synthesis
 
@@ -44,29 +39,6 @@ SEARCH = (
 every iteration, for the history; the thesis' do not."""
 
 
-def in_blocks(block, shared):
-    """The passes with blocks of another size.
-
-    Parameters
-    ----------
-    block : (int, int)
-        Threads of a block along x and y.
-    shared : bool
-        Whether a block's target patches lie in shared memory.
-    """
-
-    def propagation(*search):
-        launch_search(make_propagation_kernel, *search, block=block, shared=shared)
-
-    def random_search(textures, *search):
-        radii = number_of_radii(max(search[4].shape))  # of δ
-        launch_search(
-            make_random_search_kernel, textures, *search, radii, block=block, shared=shared
-        )
-
-    return replaced(gpu_cuda, propagation=propagation, random_search=random_search)
-
-
 SETTINGS = (
     {
         f"{name}, λ = {uniformity}": (Params(uniformity=uniformity), backend)
@@ -75,15 +47,15 @@ SETTINGS = (
             ("propose_commit", Backend(gpu_cuda)),
             ("live", Backend(gpu_cuda, live.live)),
             ("live with W", Backend(gpu_cuda, live.live_sums)),
-            ("shared memory", Backend(shared_memory)),
+            ("shared memory", Backend(shared_memory.passes)),
         )
     }
     | {"guide_map, ε = 100": (Params("guide_map", epsilon=100.0), Backend(gpu_cuda))}
-    | {"a launch for each step of a commit": (Params(), Backend(launched_commit))}
+    | {"a launch for each step of a commit": (Params(), Backend(launched_commit.passes))}
     | {
         f"blocks of {columns}x{rows}{', shared memory' * shared}": (
             Params(),
-            Backend(in_blocks((columns, rows), shared)),
+            Backend(shared_memory.in_blocks((columns, rows), shared)),
         )
         for columns, rows in ((16, 16), (32, 32))
         for shared in (False, True)

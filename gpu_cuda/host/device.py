@@ -2,6 +2,7 @@
 
 from collections import defaultdict
 from contextlib import contextmanager
+from contextvars import ContextVar
 from functools import lru_cache
 from types import FunctionType
 
@@ -123,7 +124,7 @@ def _blocks_at_once(specialized, threads):
     return overload.max_cooperative_grid_blocks(threads)
 
 
-_events = None
+_events = ContextVar("events around every launched kernel", default=None)
 
 
 @contextmanager
@@ -136,22 +137,22 @@ def kernel_times():
         Seconds of every launch, by the kernel's function; filled when the context ends. In the
         simulator they are 0.
     """
-    global _events
-    seconds = defaultdict(list)
-    _events = []
+    seconds, events = defaultdict(list), []
+    token = _events.set(events)
     try:
         yield seconds
         cuda.synchronize()
-        for name, start, end in _events:
+        for name, start, end in events:
             seconds[name].append(start.elapsed_time(end) / 1000 if not SIMULATED else 0.0)
     finally:
-        _events = None
+        _events.reset(token)
 
 
 @contextmanager
 def _timed(kernel):
     """Between two events, where someone wants to know: nothing waits."""
-    if _events is None:
+    events = _events.get()
+    if events is None:
         yield
         return
     start, end = (cuda.event() for _ in range(2))
@@ -159,4 +160,4 @@ def _timed(kernel):
     yield
     end.record()
     function = kernel.fn if SIMULATED else kernel.py_func
-    _events.append((function.__name__, start, end))
+    events.append((function.__name__, start, end))

@@ -8,10 +8,15 @@ import weakref
 from contextlib import contextmanager
 
 import numpy as np
-from numba import cuda
+from numba import cuda, types
 
 from gpu_cuda.host.device import BLOCK, launch
 from stylit_ref.errors import InputError
+
+OUT_OF_MEMORY = 2
+"""The driver's CUDA_ERROR_OUT_OF_MEMORY. The simulator has neither codes nor the class of error."""
+
+_copies = {}
 
 
 @contextmanager
@@ -20,7 +25,7 @@ def _allocation(shape, dtype):
     try:
         yield
     except Exception as error:
-        if "OUT_OF_MEMORY" not in str(error):
+        if getattr(error, "code", None) != OUT_OF_MEMORY:
             raise
         free, total = cuda.current_context().get_memory_info()
         needed = int(np.prod(shape)) * np.dtype(dtype).itemsize
@@ -55,9 +60,6 @@ def kept_on_device(array):
     return _copies[key]
 
 
-_copies = {}
-
-
 def download(array):
     """As :func:`stylit_ref.passes.download`."""
     return array.copy_to_host()
@@ -73,6 +75,11 @@ def zeros(shape, dtype):
     array = empty(shape, dtype)
     fill(array, 0)
     return array
+
+
+def kernels(sizes):
+    """Every kernel's name, the kernel and the types of its arguments."""
+    yield "fill", fill_kernel, (types.int32[::1], types.int64)
 
 
 @cuda.jit
@@ -92,22 +99,3 @@ def fill(array, value):
         value,
         block=(BLOCK[0] * BLOCK[1], 1),
     )
-
-
-@cuda.jit
-def repeat_edge_kernel(image, padded, radius):
-    x, y = cuda.grid(2)
-    if y >= padded.shape[0] or x >= padded.shape[1]:
-        return
-    inside_y = min(max(y - radius, 0), image.shape[0] - 1)
-    inside_x = min(max(x - radius, 0), image.shape[1] - 1)
-    for c in range(image.shape[2]):
-        padded[y, x, c] = image[inside_y, inside_x, c]
-
-
-def repeat_edge(image, radius):
-    """As :func:`stylit_ref.passes.repeat_edge`, on device arrays."""
-    height, width, channels = image.shape
-    padded = empty((height + 2 * radius, width + 2 * radius, channels), np.uint8)
-    launch(repeat_edge_kernel, padded.shape[:2], image, padded, radius)
-    return padded

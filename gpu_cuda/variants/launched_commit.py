@@ -11,15 +11,10 @@ from numba import cuda
 import gpu_cuda
 from gpu_cuda.commit import CLASSES, class_size, follow
 from gpu_cuda.formulae import take_proposal
+from gpu_cuda.host.argument_types import COMMITMENT, INT, MAP, NNF, NUMBERS
 from gpu_cuda.host.device import launch
+from stylit_ref.machine.replaced import replaced
 from stylit_ref.randomness.commit_classes import CLASS_STRIDE, commit_order
-
-__all__ = gpu_cuda.__all__
-
-
-def __getattr__(name):
-    """The other passes are the plain ones."""
-    return getattr(gpu_cuda, name)
 
 
 @cuda.jit
@@ -52,6 +47,13 @@ def make_follow_kernel(patch_width):
     return follow_kernel
 
 
+def kernels(sizes):
+    """Every kernel's name, the kernel and the types of its arguments."""
+    yield "launched commit, decide", decide_kernel, (*COMMITMENT, INT, INT, NUMBERS)
+    follow_kernel = make_follow_kernel(sizes.patch_width)
+    yield "launched commit, follow", follow_kernel, (NNF, NNF, MAP, INT, INT)
+
+
 def commit(
     nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, patch_width, stream,
     moves,
@@ -68,3 +70,7 @@ def commit(
         )  # fmt: skip
         if occurrence_weight:
             launch(follow_kernel, size, nnf, proposed_nnf, omega_sums, first_y, first_x)
+
+
+passes = replaced(gpu_cuda, commit=commit)
+"""All passes, the commit with a launch for each of its steps."""

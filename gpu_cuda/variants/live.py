@@ -3,9 +3,10 @@
 Not reproducible, since it depends on which thread comes first; judged by what must hold
 (ΣΩ, Ω equals a recount) and by its energy. Two forms:
 
-``ImproveAssignment`` as in 3.2
-    ρ sums w² elements of Ω, and every change of an assignment is 2 w² atomics.
-with W
+:func:`live`
+    ``ImproveAssignment`` as in 3.2: ρ sums w² elements of Ω, and every change of an assignment is
+    2 w² atomics.
+:func:`live_sums`
     ρ is one read of W, Ω summed over each patch, and a change is 2 (2w - 1)² atomics.
 """
 
@@ -24,9 +25,11 @@ from gpu_cuda.formulae import (
     search_radius,
     search_words,
 )
+from gpu_cuda.host.argument_types import INT, MAP, METRIC, NNF, STREAM
 from gpu_cuda.host.device import device_function, formula, launch
 from gpu_cuda.improve_proposal import NO_LIMIT, make_assignment_delta
-from gpu_cuda.metric import MetricConstants, metric_arrays
+from gpu_cuda.metric import metric_arrays
+from gpu_cuda.metric_constants import MetricConstants
 from gpu_cuda.patch_penalization import update_omega_sums, update_patch_omega
 from gpu_cuda.target_patches import make_target_patch
 from stylit_ref.formulae.candidates import PROPAGATION_DISTANCES
@@ -36,25 +39,32 @@ from stylit_ref.randomness.random_stream import RANDOM_SEARCH, random_stream
 
 
 @lru_cache
-def make_kernels(constants, with_sums):
-    """Compile Kernel_Propagation and Kernel_RandomSearch of 3.3.
+def omega_kernels(constants):
+    """Compile Kernel_Propagation and Kernel_RandomSearch of 3.3 with Ω.
 
     Parameters
     ----------
-    constants : gpu_cuda.metric.MetricConstants
-    with_sums : bool
-        Whether the map is W, not Ω.
+    constants : gpu_cuda.metric_constants.MetricConstants
     """
+    patch_width = constants.patch_width
+
+    @device_function
+    def lambda_rho(omega, occurrence_weight, source_y, source_x):
+        return occurrence_weight * np.int64(omega_sum(omega, patch_width, source_y, source_x))
+
+    return _make_kernels(constants, lambda_rho, update_patch_omega)
+
+
+@lru_cache
+def omega_sums_kernels(constants):
+    """Compile the same with W."""
+    return _make_kernels(constants, penalization, update_omega_sums)
+
+
+def _make_kernels(constants, lambda_rho, update):
     patch_width, radius = constants.patch_width, constants.radius
     assignment_delta = formula(make_assignment_delta(constants))
     target_patch = make_target_patch(constants, None, shared=False)
-    update = update_omega_sums if with_sums else update_patch_omega
-
-    @device_function
-    def lambda_rho(occurrences, occurrence_weight, source_y, source_x):
-        if with_sums:
-            return penalization(occurrences, occurrence_weight, source_y, source_x)
-        return occurrence_weight * np.int64(omega_sum(occurrences, patch_width, source_y, source_x))
 
     @device_function
     def phi(metric_and_patch, occurrences, occurrence_weight, _, y, x, source_y, source_x):
@@ -67,14 +77,15 @@ def make_kernels(constants, with_sums):
 
     @cuda.jit
     def propagation_kernel(
-        source, target, weights, guide_map, target_sums, source_sums, omega, occurrence_weight,
-        nnf, new_nnf, distance,
+        source, target, weights, guide_map, target_sums, source_sums, occurrences,
+        occurrence_weight, nnf, new_nnf, distance,
     ):  # fmt: skip
         x, y = cuda.grid(2)
         height, width = nnf.shape[0], nnf.shape[1]
         if y >= height or x >= width:
             return
-        metric = source, omega.shape[1], weights, guide_map, target_sums, source_sums
+        source_height, source_width = occurrences.shape
+        metric = source, source_width, weights, guide_map, target_sums, source_sums
         patch = target_patch(target, width, y, x)
         best_y, best_x = np.int64(nnf[y, x, 0]), np.int64(nnf[y, x, 1])
         if best_y >= 0:
@@ -86,24 +97,25 @@ def make_kernels(constants, with_sums):
                     continue
                 candidate_y, candidate_x = propagation_candidate(
                     nnf[near_y, near_x, 0], nnf[near_y, near_x, 1], dy, dx,
-                    radius, omega.shape[0], omega.shape[1],
+                    radius, source_height, source_width,
                 )  # fmt: skip
                 best_y, best_x = improve_assignment(
-                    (metric, patch), omega, occurrence_weight, patch_width, y, x,
+                    (metric, patch), occurrences, occurrence_weight, patch_width, y, x,
                     np.int64(candidate_y), np.int64(candidate_x), best_y, best_x,
                 )  # fmt: skip
         new_nnf[y, x, 0], new_nnf[y, x, 1] = best_y, best_x
 
     @cuda.jit
     def random_search_kernel(
-        source, target, weights, guide_map, target_sums, source_sums, omega, occurrence_weight,
-        nnf, stream, radii,
+        source, target, weights, guide_map, target_sums, source_sums, occurrences,
+        occurrence_weight, nnf, stream, radii,
     ):  # fmt: skip
         x, y = cuda.grid(2)
         height, width = nnf.shape[0], nnf.shape[1]
         if y >= height or x >= width or nnf[y, x, 0] < 0:
             return
-        metric = source, omega.shape[1], weights, guide_map, target_sums, source_sums
+        source_height, source_width = occurrences.shape
+        metric = source, source_width, weights, guide_map, target_sums, source_sums
         patch = target_patch(target, width, y, x)
         centre_y, centre_x = np.int64(nnf[y, x, 0]), np.int64(nnf[y, x, 1])
         best_y, best_x = centre_y, centre_x
@@ -112,10 +124,10 @@ def make_kernels(constants, with_sums):
             word_y, word_x = search_words(draw, k)
             candidate_y, candidate_x = random_candidate(
                 word_y, word_x, centre_y, centre_x, search_radius(k),
-                radius, omega.shape[0], omega.shape[1],
+                radius, source_height, source_width,
             )  # fmt: skip
             best_y, best_x = improve_assignment(
-                (metric, patch), omega, occurrence_weight, patch_width, y, x,
+                (metric, patch), occurrences, occurrence_weight, patch_width, y, x,
                 np.int64(candidate_y), np.int64(candidate_x), best_y, best_x,
             )  # fmt: skip
         nnf[y, x, 0], nnf[y, x, 1] = best_y, best_x
@@ -123,55 +135,64 @@ def make_kernels(constants, with_sums):
     return propagation_kernel, random_search_kernel
 
 
-def live_propagation(
-    textures, occurrences, are_sums, occurrence_weight, patch_width, nnf, new_nnf, distance
-):
-    """Kernel_Propagation of 3.3, Ω (or W, if ``are_sums``) following by atomics.
+def kernels(sizes):
+    """Every kernel's name, the kernel and the types of its arguments."""
+    for map_name, make_kernels in (("Ω", omega_kernels), ("W", omega_sums_kernels)):
+        propagation_kernel, random_search_kernel = make_kernels(MetricConstants.of_sizes(sizes))
+        first = *METRIC, MAP, INT, NNF
+        yield f"live propagation, {map_name}", propagation_kernel, (*first, NNF, INT)
+        yield f"live random search, {map_name}", random_search_kernel, (*first, STREAM, INT)
+
+
+def propagate(level, make_kernels, occurrences, distance):
+    """Kernel_Propagation of 3.3: NNF' from NNF, and they change places.
 
     Parameters
     ----------
-    textures : Textures
+    level : Level
+    make_kernels : callable
+        :func:`omega_kernels` or :func:`omega_sums_kernels`.
     occurrences : (H_A, W_A) int32
-    are_sums : bool
-    occurrence_weight, patch_width : int
-    nnf, new_nnf : (H_B, W_B, 2) int32
-        NNF and NNF' of the thesis.
+        The level's Ω or W; follows every change.
     distance : int
     """
-    kernel, _ = make_kernels(MetricConstants.of(textures, patch_width), are_sums)
+    kernel, _ = make_kernels(MetricConstants.of(level.textures, level.patch_width))
     launch(
-        kernel, nnf.shape[:2], *metric_arrays(textures), occurrences, occurrence_weight,
-        nnf, new_nnf, distance,
+        kernel, level.nnf.shape[:2], *metric_arrays(level.textures), occurrences,
+        level.occurrence_weight, level.nnf, level.proposed_nnf, distance,
     )  # fmt: skip
+    level.nnf, level.proposed_nnf = level.proposed_nnf, level.nnf
 
 
-def live_random_search(
-    textures, occurrences, are_sums, occurrence_weight, patch_width, nnf, stream
-):
-    """Kernel_RandomSearch of 3.3, parameters as for :func:`live_propagation`."""
-    _, kernel = make_kernels(MetricConstants.of(textures, patch_width), are_sums)
+def search_at_random(level, make_kernels, occurrences, stream):
+    """Kernel_RandomSearch of 3.3 in the NNF; other parameters as for :func:`propagate`.
+
+    Parameters
+    ----------
+    stream : tuple of 4 uint32
+    """
+    _, kernel = make_kernels(MetricConstants.of(level.textures, level.patch_width))
+    size = level.nnf.shape[:2]
     launch(
-        kernel, nnf.shape[:2], *metric_arrays(textures), occurrences, occurrence_weight,
-        nnf, stream, number_of_radii(max(nnf.shape[:2])),
+        kernel, size, *metric_arrays(level.textures), occurrences,
+        level.occurrence_weight, level.nnf, stream, number_of_radii(max(size)),
     )  # fmt: skip
 
 
 def live(level, seed, level_number, vote, iteration):
     """GPU_PatchMatch of thesis 3.3: a PatchMatch iteration whose kernels change Ω as they run."""
-    _iterate(level, level.omega, False, seed, level_number, vote, iteration)
+    _iterate(level, omega_kernels, level.omega, seed, level_number, vote, iteration)
 
 
 def live_sums(level, seed, level_number, vote, iteration):
     """The same with W, Ω summed over each patch, in the place of Ω."""
-    _iterate(level, level.omega_sums, True, seed, level_number, vote, iteration)
+    _iterate(level, omega_sums_kernels, level.omega_sums, seed, level_number, vote, iteration)
 
 
-def _iterate(level, occurrences, are_sums, seed, level_number, vote, iteration):
-    metric = level.textures, occurrences, are_sums, level.occurrence_weight, level.patch_width
+def _iterate(level, make_kernels, occurrences, seed, level_number, vote, iteration):
     for distance in PROPAGATION_DISTANCES:
-        live_propagation(*metric, level.nnf, level.proposed_nnf, distance)
-        level.nnf, level.proposed_nnf = level.proposed_nnf, level.nnf
+        propagate(level, make_kernels, occurrences, distance)
     stream = random_stream(seed, RANDOM_SEARCH, level_number, vote, iteration)
-    live_random_search(*metric, level.nnf, stream)
+    search_at_random(level, make_kernels, occurrences, stream)
     level.update_similarity()
     level.init_occurrence_map()

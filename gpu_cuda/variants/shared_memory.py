@@ -4,37 +4,51 @@ The results are those of the plain kernels, byte for byte.
 """
 
 import gpu_cuda
+from gpu_cuda.host.device import BLOCK
 from gpu_cuda.metric import launch_search
 from gpu_cuda.propagation import make_kernel as make_propagation_kernel
 from gpu_cuda.random_search import make_kernel as make_random_search_kernel
 from stylit_ref.formulae.search_radii import number_of_radii
-
-__all__ = gpu_cuda.__all__
-
-
-def __getattr__(name):
-    """The other passes are the plain ones."""
-    return getattr(gpu_cuda, name)
+from stylit_ref.machine.replaced import replaced
+from stylit_ref.metric.proposal import Proposal
 
 
-def propagation(
-    textures, omega_sums, occurrence_weight, patch_width,
-    nnf, delta, new_nnf, new_delta, distance,
-):  # fmt: skip
-    """As :func:`gpu_cuda.propagation`."""
-    launch_search(
-        make_propagation_kernel, textures, omega_sums, occurrence_weight, patch_width,
-        nnf, delta, new_nnf, new_delta, distance, shared=True,
-    )  # fmt: skip
+def in_blocks(block, shared):
+    """The passes with a search in blocks of a certain size.
+
+    Parameters
+    ----------
+    block : (int, int)
+        Threads of a block along x and y.
+    shared : bool
+        Whether a block's target patches lie in shared memory.
+    """
+
+    def propagation(
+        textures, omega_sums, occurrence_weight, patch_width,
+        nnf, delta, new_nnf, new_delta, distance,
+    ):  # fmt: skip
+        """As :func:`gpu_cuda.propagation`."""
+        proposal = Proposal(
+            textures, omega_sums, occurrence_weight, patch_width, nnf, delta, new_nnf, new_delta
+        )
+        launch_search(make_propagation_kernel, proposal, distance, block=block, shared=shared)
+
+    def random_search(
+        textures, omega_sums, occurrence_weight, patch_width,
+        nnf, delta, new_nnf, new_delta, stream, side=None,
+    ):  # fmt: skip
+        """As :func:`gpu_cuda.random_search`."""
+        proposal = Proposal(
+            textures, omega_sums, occurrence_weight, patch_width, nnf, delta, new_nnf, new_delta
+        )
+        radii = number_of_radii(side or max(delta.shape))
+        launch_search(
+            make_random_search_kernel, proposal, stream, radii, block=block, shared=shared
+        )
+
+    return replaced(gpu_cuda, propagation=propagation, random_search=random_search)
 
 
-def random_search(
-    textures, omega_sums, occurrence_weight, patch_width,
-    nnf, delta, new_nnf, new_delta, stream, side=None,
-):  # fmt: skip
-    """As :func:`gpu_cuda.random_search`."""
-    launch_search(
-        make_random_search_kernel, textures, omega_sums, occurrence_weight, patch_width,
-        nnf, delta, new_nnf, new_delta, stream, number_of_radii(side or max(delta.shape)),
-        shared=True,
-    )  # fmt: skip
+passes = in_blocks(BLOCK, shared=True)
+"""All passes, the search with shared memory."""

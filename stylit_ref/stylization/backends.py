@@ -37,7 +37,7 @@ def _shared_memory():
     """Target patches in shared memory (thesis 5.1)."""
     from gpu_cuda.variants import shared_memory
 
-    return Backend(shared_memory)
+    return Backend(shared_memory.passes)
 
 
 def _live():

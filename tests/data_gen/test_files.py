@@ -78,6 +78,17 @@ def test_manifest_knows_what_is_there(folder):
     assert manifest.path("teapot/FULL.png") == folder / "teapot" / "FULL.png"
 
 
+def test_targets_are_views_that_no_style_was_painted_over(folder):
+    """Motion fields are no view."""
+    for file in ("house/0_1/FULL.png", "house/motion/0_0_to_0_1.exr"):
+        (folder / file).parent.mkdir(parents=True)
+        (folder / file).write_bytes(b"")
+    manifest = Manifest.read(folder)
+    manifest.add("house/0_1")
+    manifest.add("house/motion")
+    assert Manifest.read(folder).targets == ["house/0_1", "teapot"]
+
+
 def test_a_changed_file_is_noticed(folder):
     (folder / "teapot" / "FULL.png").write_bytes(b"other")
     with pytest.raises(DataError, match=r"FULL\.png: differs from what manifest\.json says"):

@@ -16,14 +16,15 @@ import mitsuba as mi
 from data_gen.camera import GRID, HOUSE_SOURCE, STAGE_VIEW
 from data_gen.features import HIGHLIGHT, features, trace
 from data_gen.light_paths import LONGEST_PATH, PASSES
+from data_gen.load import load
 from data_gen.manifest import Manifest
 from data_gen.models import sphere
 from data_gen.models.mesh import polygons
 from data_gen.models.teapot import teapot
 from data_gen.motion import motion_field
+from data_gen.pieces import View
 from data_gen.produce import produce
-from data_gen.rendering import Rendering
-from data_gen.stage import Material, house_scene, load, on_stage
+from data_gen.stage import Material, house_scene, on_stage
 from data_gen.visibility import sees
 from data_gen.wireframe import wireframe
 
@@ -231,14 +232,14 @@ def test_a_second_set_has_the_same_bytes_and_resumes(tmp_path):
 
 
 def test_an_interrupted_piece_leaves_the_finished_ones(tmp_path, monkeypatch):
-    view = Rendering.view
+    make = View.make
 
-    def interrupted(self, piece):
-        if piece == "teapot":
+    def interrupted(self, *arguments):
+        if self.name == "teapot":
             raise KeyboardInterrupt
-        return view(self, piece)
+        return make(self, *arguments)
 
-    monkeypatch.setattr(Rendering, "view", interrupted)
+    monkeypatch.setattr(View, "make", interrupted)
     with pytest.raises(KeyboardInterrupt):
         produce(tmp_path / "a", (WIDTH, HEIGHT), ["teapot"], samples=4)
     monkeypatch.undo()

@@ -1,13 +1,7 @@
 """Adding a rival, a metric or a report edits no file: each is tried on a copy of the code."""
 
-import shutil
-import subprocess
-import sys
-from pathlib import Path
-
 import pytest
-
-CHECKOUT = Path(__file__).parents[2]
+from code_copy import CodeCopy
 
 RIVAL = '''"""The target's guide in the place of a painting."""
 
@@ -69,28 +63,15 @@ scene = Scene("grey", None, ("a",), grey, (grey,), (grey,), 1)
 
 
 @pytest.fixture
-def copy(tmp_path):
-    """A copy of the code, and how to run Python with it."""
-    for package in ("eval", "stylit_ref", "gpu_cuda", "data_gen"):
-        ignored = shutil.ignore_patterns("__pycache__", "bundled")
-        shutil.copytree(CHECKOUT / package, tmp_path / package, ignore=ignored)
-    (tmp_path / "data_gen" / "bundled").symlink_to(CHECKOUT / "data_gen" / "bundled")
-
-    def python(*arguments):
-        done = subprocess.run(
-            [sys.executable, *arguments], cwd=tmp_path, capture_output=True, text=True
-        )
-        assert done.returncode == 0, done.stderr
-        return done.stdout
-
-    return tmp_path, python
+def code(tmp_path):
+    """A copy of the code."""
+    return CodeCopy(tmp_path, ("eval", "stylit_ref", "gpu_cuda", "data_gen"))
 
 
 @pytest.mark.slow
-def test_a_rival_is_a_file(copy):
-    folder, python = copy
-    (folder / "eval/methods/unpainted.py").write_text(RIVAL)
-    said = python(
+def test_a_rival_is_a_file(code):
+    code.add("eval/methods/unpainted.py", RIVAL)
+    said = code.python(
         "-c",
         SCENE
         + """
@@ -107,15 +88,15 @@ print(sorted(numbers_of(jobs[0])))
 """,
     )
     assert said.splitlines() == ["[90, 50] [None, None]", "['richness']"]
-    (run, other) = sorted(file.name for file in (folder / "build/runs").iterdir())
+    (run, other) = sorted(file.name for file in (code.folder / "build/runs").iterdir())
     assert run.startswith("grey_20x20-unpainted-seed_0-")
     assert other != run
+    assert not code.edited
 
 
 @pytest.mark.slow
-def test_a_metric_is_a_file_and_measured_of_runs_that_are_stored(copy):
-    folder, python = copy
-    (folder / "eval/methods/unpainted.py").write_text(RIVAL)
+def test_a_metric_is_a_file_and_measured_of_runs_that_are_stored(code):
+    code.add("eval/methods/unpainted.py", RIVAL)
     measures = (
         SCENE
         + """
@@ -125,13 +106,13 @@ from eval.runs.local import numbers
 print(numbers(Job(scene, Unpainted()), METRICS))
 """
     )
-    assert "richness" in python("-c", f"METRICS = ['sharpness']{measures}")
-    (file,) = (folder / "build/runs").iterdir()
+    assert "richness" in code.python("-c", f"METRICS = ['sharpness']{measures}")
+    (file,) = (code.folder / "build/runs").iterdir()
     made = file.stat().st_mtime_ns
-    (folder / "eval/metrics/brightness.py").write_text(METRIC)
-    assert python("-c", f"METRICS = ['brightness']{measures}") == "{'brightness': 90.0}\n"
+    code.add("eval/metrics/brightness.py", METRIC)
+    assert code.python("-c", f"METRICS = ['brightness']{measures}") == "{'brightness': 90.0}\n"
     assert file.stat().st_mtime_ns == made
-    said = python(
+    said = code.python(
         "-c",
         "import pandas as pd; from eval.metrics import definitions\n"
         "from eval.pages.tables import formatted, table\n"
@@ -140,14 +121,15 @@ print(numbers(Job(scene, Unpainted()), METRICS))
     )
     assert "| brightness   |" in said
     assert said.endswith("- **brightness**: mean over all pixels.\n")
+    assert not code.edited
 
 
 @pytest.mark.slow
-def test_a_report_is_a_file(copy):
-    folder, python = copy
-    (folder / "eval/reports/called.py").write_text(REPORT)
-    assert python("-m", "eval", "called", "--scene", "hand/pen", "--loud") == "HAND_PEN\n"
-    assert "How a scene is called." in python("-m", "eval", "--help")
+def test_a_report_is_a_file(code):
+    code.add("eval/reports/called.py", REPORT)
+    assert code.python("-m", "eval", "called", "--scene", "hand/pen", "--loud") == "HAND_PEN\n"
+    assert "How a scene is called." in code.python("-m", "eval", "--help")
+    assert not code.edited
 
 
 CODES = """
@@ -159,22 +141,21 @@ print(CODES["image_energy"], CODES["sharpness"], ImageAnalogies().code, StylitRe
 
 
 @pytest.mark.slow
-def test_what_is_stored_is_kept_under_the_code_it_ran(copy):
+def test_what_is_stored_is_kept_under_the_code_it_ran(code):
     """Image energy runs the library's search, whoever made the picture; sharpness does not."""
-    folder, python = copy
     names = "image_energy", "sharpness", "image_analogies", "ref"
 
-    before = python("-c", CODES).split()
+    before = code.python("-c", CODES).split()
 
     def changed(path, old, new):
-        file = folder / path
+        file = code.folder / path
         text = file.read_text(encoding="utf-8")
         assert old in text
         file.write_text(text.replace(old, new, 1), encoding="utf-8")
-        after = python("-c", CODES).split()
+        after = code.python("-c", CODES).split()
         file.write_text(text, encoding="utf-8")
         pairs = zip(names, before, after, strict=True)
-        return {name for name, code, other in pairs if code != other}
+        return {name for name, old_code, new_code in pairs if old_code != new_code}
 
     formula = "stylit_ref/formulae/candidates.py"
     assert changed(formula, "import numpy", "# A comment.\nimport numpy") == set()

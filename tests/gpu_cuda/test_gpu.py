@@ -4,7 +4,6 @@ import shutil
 import subprocess
 import sys
 from functools import lru_cache
-from importlib import import_module
 from pathlib import Path
 
 import numpy as np
@@ -14,7 +13,7 @@ from small_level import make_level
 from small_scene import small_scene
 
 from gpu_cuda.host.device import SIMULATED
-from gpu_cuda.metric import launch_search
+from gpu_cuda.variants import shared_memory
 from stylit_ref import Params, passes, stylize
 from stylit_ref.randomness.random_stream import RANDOM_SEARCH, random_stream
 
@@ -32,12 +31,14 @@ def on_cpu(size, method):
     return stylize(*full_scene(size), Params(method))
 
 
-@pytest.mark.parametrize("method", ["ref", "shared_memory", "guide_map"])
+@pytest.mark.parametrize(
+    ("method", "backend"), [("ref", "cuda"), ("ref", "cuda:shared_memory"), ("guide_map", "cuda")]
+)
 @pytest.mark.parametrize("size", [(228, 300), (912, 1200)])
-def test_whole_runs_give_the_bytes_of_the_cpu(size, method):
+def test_whole_runs_give_the_bytes_of_the_cpu(size, method, backend):
     scene = full_scene(size)
-    device = stylize(*scene, Params(method), backend="cuda")
-    host = on_cpu(size, "ref" if method == "shared_memory" else method)
+    device = stylize(*scene, Params(method), backend=backend)
+    host = on_cpu(size, method)
     for name in ("image", "nnf", "omega", "error"):
         np.testing.assert_array_equal(getattr(device, name), getattr(host, name), err_msg=name)
     assert device.history == host.history
@@ -45,20 +46,13 @@ def test_whole_runs_give_the_bytes_of_the_cpu(size, method):
 
 @pytest.mark.parametrize("shared", [False, True])
 @pytest.mark.parametrize(
-    ("name", "parameters"), [("propagation", (2,)), ("random_search", (STREAM, 6))]
+    ("name", "parameters"), [("propagation", (2,)), ("random_search", (STREAM, 100))]
 )
 def test_blocks_of_the_thesis(name, parameters, shared):
     level = make_level(source_size=(90, 70), target_size=(75, 100), guide_channels=(3,) * 5)
     device = on_device(level)
-    kernel = import_module(f"gpu_cuda.{name}").make_kernel
-    for either, run in (
-        (level, lambda *search: getattr(passes, name)(*search[:9])),
-        (device, lambda *search: launch_search(kernel, *search, block=(32, 32), shared=shared)),
-    ):
-        run(
-            either.textures, either.omega_sums, either.occurrence_weight, either.patch_width,
-            either.nnf, either.delta, either.proposed_nnf, either.proposed_delta, *parameters,
-        )  # fmt: skip
+    getattr(passes, name)(*level.proposal, *parameters)
+    getattr(shared_memory.in_blocks((32, 32), shared), name)(*device.proposal, *parameters)
     np.testing.assert_array_equal(to_host(device.proposed_nnf), level.proposed_nnf)
     np.testing.assert_array_equal(to_host(device.proposed_delta), level.proposed_delta)
 

@@ -5,7 +5,7 @@ import pytest
 from device_level import FULL_SIZES, on_device, to_host
 from small_level import make_level
 
-import gpu_cuda
+from gpu_cuda.variants import live
 from stylit_ref import passes
 from stylit_ref.formulae.candidates import random_candidate
 from stylit_ref.formulae.improve_assignment import improve_assignment
@@ -19,36 +19,37 @@ CASES = [
     *FULL_SIZES,
 ]
 
+FORMS = {
+    "Ω": lambda level: (live.omega_kernels, level.omega),
+    "W": lambda level: (live.omega_sums_kernels, level.omega_sums),
+}
 
-@pytest.mark.parametrize("with_sums", [False, True], ids=["Ω", "W"])
+
+@pytest.mark.parametrize("name", FORMS)
 @pytest.mark.parametrize("case", CASES, ids=str)
-def test_the_map_is_a_recount_and_phi_falls(case, with_sums):
+def test_the_map_is_a_recount_and_phi_falls(case, name):
     level = make_level(**case)
     device = on_device(level)
-    occurrences = device.omega_sums if with_sums else device.omega
-    metric = (
-        device.textures, occurrences, with_sums, level.occurrence_weight, level.patch_width
-    )  # fmt: skip
+    form = FORMS[name](device)
     before = level.energy()
-    gpu_cuda.live_propagation(*metric, device.nnf, device.proposed_nnf, 2)
-    stream = random_stream(1, RANDOM_SEARCH, 1)
-    gpu_cuda.live_random_search(*metric, device.proposed_nnf, stream)
+    live.propagate(device, *form, 2)
+    live.search_at_random(device, *form, random_stream(1, RANDOM_SEARCH, 1))
 
-    moved = to_host(device.proposed_nnf)
+    moved = to_host(device.nnf)
     assert (moved != level.nnf).any()
     level.nnf[:] = moved
     level.update_similarity()
     level.init_occurrence_map()
-    recount = level.omega_sums if with_sums else level.omega
-    np.testing.assert_array_equal(to_host(occurrences), recount)
-    if not with_sums:
-        assert to_host(occurrences).sum() == level.patch_width**2 * level.delta.size
+    _, recount = FORMS[name](level)
+    np.testing.assert_array_equal(to_host(form[1]), recount)
+    if name == "Ω":
+        assert recount.sum() == level.patch_width**2 * level.delta.size
     assert sum(level.energy()) < sum(before)
 
 
-@pytest.mark.parametrize("with_sums", [False, True], ids=["Ω", "W"])
+@pytest.mark.parametrize("name", FORMS)
 @pytest.mark.parametrize("seed", range(4))
-def test_a_thread_alone_does_what_the_formula_does(seed, with_sums):
+def test_a_thread_alone_does_what_the_formula_does(seed, name):
     """One patch that a mask leaves: ImproveAssignment of 3.2, candidate after candidate."""
     masked = np.ones((14, 12), bool)
     masked[6, 7] = False
@@ -57,12 +58,8 @@ def test_a_thread_alone_does_what_the_formula_does(seed, with_sums):
     level.omega += rng.integers(0, 3, level.omega.shape, dtype=np.int32)
     level.omega_sums[:] = passes.box_sum(level.omega, level.patch_width)
     device = on_device(level)
-    occurrences = device.omega_sums if with_sums else device.omega
-    stream = random_stream(seed, RANDOM_SEARCH, 1)
-    gpu_cuda.live_random_search(
-        device.textures, occurrences, with_sums, level.occurrence_weight, level.patch_width,
-        device.nnf, stream,
-    )  # fmt: skip
+    form, stream = FORMS[name](device), random_stream(seed, RANDOM_SEARCH, 1)
+    live.search_at_random(device, *form, stream)
 
     centre = best = tuple(map(int, level.nnf[6, 7]))
     for k, search_radius in enumerate((1, 2, 4)):
@@ -74,5 +71,6 @@ def test_a_thread_alone_does_what_the_formula_does(seed, with_sums):
             level.occurrence_weight, level.patch_width, 6, 7, *candidate, *best,
         )  # fmt: skip
     assert tuple(to_host(device.nnf)[6, 7]) == best
-    expected = passes.box_sum(level.omega, level.patch_width) if with_sums else level.omega
-    np.testing.assert_array_equal(to_host(occurrences), expected)
+    level.omega_sums[:] = passes.box_sum(level.omega, level.patch_width)
+    _, expected = FORMS[name](level)
+    np.testing.assert_array_equal(to_host(form[1]), expected)

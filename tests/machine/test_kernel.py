@@ -1,15 +1,12 @@
 """Kernels on disk: found again, told apart, and never stale."""
 
-import os
-import shutil
-import subprocess
-import sys
 from pathlib import Path
 
 import brute_force
 import numba
 import numpy as np
 import pytest
+from code_copy import CodeCopy
 
 import stylit_ref.machine.kernel
 from stylit_ref.machine.code_digest import imported_files
@@ -114,67 +111,37 @@ DOWNSAMPLE = COUNT.format(
 )
 
 
-class Copy:
-    """A copy of the library that may be edited, its processes and their kernels on disk."""
-
-    def __init__(self, folder):
-        self.folder = folder
-        shutil.copytree(
-            Path(stylit_ref.__file__).parent,
-            folder / "stylit_ref",
-            ignore=shutil.ignore_patterns("__pycache__"),
-        )
-
-    def run(self, program):
-        """What a program says in a process of its own."""
-        paths = {"PYTHONPATH": str(self.folder), "NUMBA_CACHE_DIR": str(self.folder / "kernels")}
-        done = subprocess.run(
-            [sys.executable, "-c", program],
-            cwd=self.folder,
-            env=os.environ | paths,
-            text=True,
-            capture_output=True,
-        )
-        assert done.returncode == 0, done.stderr
-        return done.stdout.strip()
-
-    def edit(self, file, old, new):
-        """Replace text of a file."""
-        file = self.folder / file
-        text = file.read_text(encoding="utf-8")
-        assert old in text
-        file.write_text(text.replace(old, new), encoding="utf-8")
-
-
-@pytest.mark.slow
 def test_an_edit_compiles_what_it_concerns_and_nothing_else(tmp_path):
-    library = Copy(tmp_path)
-    assert library.run(DOWNSAMPLE) == "8 compiled"
-    library.edit("stylit_ref/cli/example.py", '"""', '# A comment.\n"""')
-    library.edit("stylit_ref/formulae/rounding.py", "@njit", "# A comment.\n@njit")
-    library.edit("stylit_ref/stylization/stylit.py", "LEAST_PROGRESS = 1e-3", "LEAST_PROGRESS = 1")
-    assert library.run(DOWNSAMPLE) == "8 from disk"
-    library.edit("stylit_ref/formulae/rounding.py", "(total + 2) // 4", "(total + 6) // 4")
-    assert library.run(DOWNSAMPLE) == "9 compiled"
+    code = CodeCopy(tmp_path, ("stylit_ref",))
+    assert code.python("-c", DOWNSAMPLE).strip() == "8 compiled"
+    code.edit("stylit_ref/cli/example.py", "import shlex\n", "import shlex  # A comment.\n")
+    code.edit(
+        "stylit_ref/formulae/rounding.py",
+        "    return (total",
+        "    # A comment.\n    return (total",
+    )
+    code.edit("stylit_ref/stylization/stylit.py", "LEAST_PROGRESS = 1e-3", "LEAST_PROGRESS = 1")
+    assert code.python("-c", DOWNSAMPLE).strip() == "8 from disk"
+    code.edit("stylit_ref/formulae/rounding.py", "(total + 2) // 4", "(total + 6) // 4")
+    assert code.python("-c", DOWNSAMPLE).strip() == "9 compiled"
 
 
 @pytest.mark.slow
 def test_a_kernel_outside_the_library_is_never_stale(tmp_path):
-    library = Copy(tmp_path)
-    (tmp_path / "formula.py").write_text(
-        "from numba import njit\n\n@njit\ndef formula(x):\n    return x * 2\n"
-    )
-    (tmp_path / "outside.py").write_text(
+    code = CodeCopy(tmp_path, ("stylit_ref",))
+    code.add("formula.py", "from numba import njit\n\n@njit\ndef formula(x):\n    return x * 2\n")
+    code.add(
+        "outside.py",
         "from formula import formula\nfrom stylit_ref.machine.kernel import kernel\n\n"
-        "@kernel(parallel=False)\ndef double(array):\n    array[0] = formula(1) + 10 * 0\n"
+        "@kernel(parallel=False)\ndef double(array):\n    array[0] = formula(1) + 10 * 0\n",
     )
     program = COUNT.format(
         module="outside", name="double",
         call="value = np.zeros(1, np.int64); loop(value); value = value[0]",
     )  # fmt: skip
-    assert library.run(program) == "2 compiled"
-    assert library.run(program) == "2 from disk"
-    library.edit("outside.py", "10 * 0", "10 * 1")
-    assert library.run(program) == "12 compiled"
-    library.edit("formula.py", "* 2", "* 3")
-    assert library.run(program) == "13 compiled"
+    assert code.python("-c", program).strip() == "2 compiled"
+    assert code.python("-c", program).strip() == "2 from disk"
+    code.edit("outside.py", "10 * 0", "10 * 1")
+    assert code.python("-c", program).strip() == "12 compiled"
+    code.edit("formula.py", "* 2", "* 3")
+    assert code.python("-c", program).strip() == "13 compiled"
