@@ -371,13 +371,14 @@ plt.show()
 
 # %%
 levels = [start(passes), start(gpu_cuda)]
-for level in levels:
-    schedules.propose_commit(level, seed=0, level_number=1, vote=1, iteration=1)
+moves = [
+    schedules.propose_commit(level, seed=0, level_number=1, vote=1, iteration=1) for level in levels
+]
 cpu, cuda = levels
 for name in ("nnf", "delta", "omega_sums"):
     np.testing.assert_array_equal(getattr(cuda, name).copy_to_host(), getattr(cpu, name), name)
 print(f"one iteration on the CPU and on {doctor.device_name()}: the same bytes,")
-print(f"{cpu.take_moves()} moves on one, {cuda.take_moves()} on the other")
+print("{} moves on one, {} on the other".format(*moves))
 
 for threads in range(1, numba.config.NUMBA_NUM_THREADS + 1):
     again = stylize(*scene, Params(uniformity=15000, **SMALL), threads=threads)

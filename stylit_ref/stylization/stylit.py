@@ -148,9 +148,9 @@ class Retrieval:
         passes = self.level.passes
         for distance in PROPAGATION_DISTANCES:
             passes.propagation(*self.proposal, distance)
-            self.proposal = self.proposal.taken()
+            self.proposal = self.proposal.accepted()
         passes.random_search(*self.proposal, stream, max(self.level.delta.shape))
-        self.proposal = self.proposal.taken()
+        self.proposal = self.proposal.accepted()
 
     def settle(self, budget, limits):
         """Fix what the error budget covers.
