@@ -151,11 +151,14 @@ print(made[0, 0], (gpu_cuda.download(device) == made).all())
 
 
 def test_a_pass(code):
-    """A file for the CPU and one for a GPU, its name in each module's list, and its pin."""
+    """A file for the CPU and one for a GPU, its name in the list of each, and its pin."""
     code.add("stylit_ref/passes/negative.py", PASS)
-    code.add("gpu_cuda/negative.py", GPU_PASS)
-    for package in ("stylit_ref/passes", "gpu_cuda"):
-        file, module = f"{package}/__init__.py", package.replace("/", ".")
+    code.add("gpu_cuda/passes/negative.py", GPU_PASS)
+    for module, package in (
+        ("stylit_ref.passes", "stylit_ref/passes"),
+        ("gpu_cuda.passes", "gpu_cuda"),
+    ):
+        file = f"{package}/__init__.py"
         anchor = f"from {module}.propagation import propagation\n"
         code.edit(file, anchor, f"from {module}.negative import negative\n{anchor}")
         code.edit(file, '    "moments_storage",\n', '    "moments_storage",\n    "negative",\n')
