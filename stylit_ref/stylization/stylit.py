@@ -38,8 +38,8 @@ from stylit_ref.stylization.progress import SearchStep
 from stylit_ref.stylization.target import TargetLevel
 
 LEAST_PROGRESS = 1e-3
-"""A retrieval can fix as many patches as the source has, or the target; another one follows
-where it has fixed this share of the fewer."""
+"""A retrieval can fix at most as many patches as the smaller of source and target has. Another one
+follows if it fixed at least this share of them."""
 
 
 def search(level, params, iterate, seed, level_number, vote):
