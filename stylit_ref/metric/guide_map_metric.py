@@ -13,7 +13,7 @@ def make_guide_map_delta(patch_width, channels, mean_channels, patch_delta):
     Parameters
     ----------
     patch_width, channels, mean_channels : int
-        See :func:`stylit_ref.metric.textures.metric_constants`.
+        See :func:`stylit_ref.metric.textures.vector_sizes`.
     patch_delta : callable
         δ for patches that are black on the map.
 

@@ -9,7 +9,7 @@ from stylit_ref.formulae.candidates import propagation_candidate
 from stylit_ref.formulae.patch_penalization import penalization
 from stylit_ref.machine.kernel import kernel
 from stylit_ref.metric.fast_metric import make_fast_metric
-from stylit_ref.metric.textures import metric_constants
+from stylit_ref.metric.textures import vector_sizes
 
 
 @lru_cache
@@ -79,5 +79,5 @@ def propagation(
     distance : int
         Offset of the neighbours in pixels (4, 2 and 1 in the thesis' jump flood).
     """
-    run = _make_kernel(*metric_constants(textures, patch_width))
+    run = _make_kernel(*vector_sizes(textures, patch_width))
     run(textures, omega_sums, occurrence_weight, nnf, delta, new_nnf, new_delta, distance)
