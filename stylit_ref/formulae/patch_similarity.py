@@ -33,7 +33,7 @@ def delta(source, target, weights, patch_width, y, x, source_y, source_x):
     return squared_differences(source, target, weights, patch_width, y, x, source_y, source_x, 0)
 
 
-@njit
+@njit(forceinline=True)
 def squared_differences(
     source, target, weights, patch_width, y, x, source_y, source_x, first_channel
 ):
