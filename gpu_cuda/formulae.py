@@ -1,6 +1,12 @@
-"""The formulae as kernels call them: none is written again here."""
+"""The formulae as kernels call them: none is written again here.
 
-from gpu_cuda.host.device import formula
+Many threads change Ω and W at once, so they add atomically. The order in which threads come does
+not change a map of integers.
+"""
+
+from numba import cuda
+
+from gpu_cuda.host.device import device_function, formula
 from stylit_ref.formulae import (
     candidates,
     improve_assignment,
@@ -14,10 +20,12 @@ from stylit_ref.randomness import commit_classes, philox, random_stream
 
 block_mean = formula(rounding.block_mean)
 commit_order = formula(commit_classes.commit_order)
+discard_farthest = formula(voting.discard_farthest)
 distance_from_mean = formula(voting.distance_from_mean)
-omega_sum = formula(patch_penalization.omega_sum)
+neighbour_offsets = formula(candidates.neighbour_offsets)
 patch_sum = formula(guide_maps.patch_sum)
 penalization = formula(patch_penalization.penalization)
+penalization_by_omega = formula(patch_penalization.penalization_by_omega)
 propagation_candidate = formula(candidates.propagation_candidate)
 random_candidate = formula(candidates.random_candidate)
 random_words = formula(random_stream.random_words)
@@ -31,3 +39,12 @@ uniform_below = formula(philox.uniform_below)
 upsampled_assignment = formula(candidates.upsampled_assignment)
 voted_pixel = formula(voting.voted_pixel)
 votes_kept = formula(voting.votes_kept)
+
+
+@device_function
+def _add(occurrences, y, x, change):
+    cuda.atomic.add(occurrences, (y, x), change)
+
+
+update_patch_omega = patch_penalization.make_update_patch_omega(device_function, _add)
+update_omega_sums = patch_penalization.make_update_omega_sums(device_function, _add)

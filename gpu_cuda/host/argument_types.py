@@ -13,7 +13,7 @@ WORDS, MAP, WHITE = types.uint32[::1], types.int32[:, ::1], types.boolean[:, ::1
 NNF, DELTA = types.int32[:, :, ::1], types.int64[:, ::1]
 INT, STREAM = types.int64, types.UniTuple(types.uint32, 4)
 NUMBERS, TOTALS = types.int64[::1], types.int64[:, ::1]
-METRIC = WORDS, WORDS, WORDS, WHITE, SUMS, SUMS
+METRIC = WORDS, WORDS, NUMBERS, WHITE, SUMS, SUMS
 SEARCH = *METRIC, MAP, INT, NNF, DELTA, NNF, DELTA
 COMMITMENT = NNF, DELTA, NNF, DELTA, MAP, INT
 

@@ -9,8 +9,6 @@ from types import FunctionType
 import numpy as np
 from numba import config, cuda
 
-config.CUDA_LOW_OCCUPANCY_WARNINGS = 0  # coarse levels are small, and that is no news
-
 SIMULATED = bool(config.ENABLE_CUDASIM)
 """Whether kernels run in Numba's simulator (``NUMBA_ENABLE_CUDASIM=1``), thread after thread."""
 
@@ -92,7 +90,7 @@ def launch(kernel, size, *arguments, block=BLOCK):
     rows, columns = size
     grid = -(-columns // block[0]), -(-rows // block[1])
     with _timed(kernel):
-        kernel[grid, block](*arguments)
+        _configured(kernel, grid, block)(*arguments)
 
 
 def launch_cooperative(kernel, most_threads, *arguments):
@@ -110,12 +108,22 @@ def launch_cooperative(kernel, most_threads, *arguments):
     threads = BLOCK[0] * BLOCK[1]
     if SIMULATED:
         with _timed(kernel):
-            kernel[1, min(threads, most_threads)](*arguments)
+            _configured(kernel, 1, min(threads, most_threads))(*arguments)
         return
     specialized = kernel.specialize(*arguments)
     blocks = min(-(-most_threads // threads), _blocks_at_once(specialized, threads))
     with _timed(kernel):
-        specialized[blocks, threads](*arguments)
+        _configured(specialized, blocks, threads)(*arguments)
+
+
+def _configured(kernel, grid, block):
+    """A kernel for a grid of blocks: coarse levels have few, and Numba's warning is no news."""
+    warned = config.CUDA_LOW_OCCUPANCY_WARNINGS
+    config.CUDA_LOW_OCCUPANCY_WARNINGS = 0
+    try:
+        return kernel[grid, block]
+    finally:
+        config.CUDA_LOW_OCCUPANCY_WARNINGS = warned
 
 
 @lru_cache

@@ -4,7 +4,6 @@ Between, each iteration reads back for the history how many pixels moved, and th
 column.
 """
 
-import weakref
 from contextlib import contextmanager
 
 import numpy as np
@@ -15,8 +14,6 @@ from stylit_ref.errors import InputError
 
 OUT_OF_MEMORY = 2
 """The driver's CUDA_ERROR_OUT_OF_MEMORY. The simulator has neither codes nor the class of error."""
-
-_copies = {}
 
 
 @contextmanager
@@ -46,18 +43,6 @@ def upload(array):
     array = np.ascontiguousarray(array)
     with _allocation(array.shape, array.dtype):
         return cuda.to_device(array)
-
-
-def kept_on_device(array):
-    """The copy of an array of the host: made once, and gone when that is gone.
-
-    For what every launch of a kernel reads and the host reads too.
-    """
-    key = id(array)
-    if key not in _copies:
-        _copies[key] = upload(array)
-        weakref.finalize(array, _copies.pop, key, None).atexit = False
-    return _copies[key]
 
 
 def download(array):

@@ -29,9 +29,8 @@ class MetricConstants(NamedTuple):
     @classmethod
     def of(cls, textures, patch_width):
         """Those of a level's textures."""
-        mean_channels = 0 if textures.guide_map is None else textures.source_sums.shape[2]
         weighted_channels = 2 * (1 + int(np.flatnonzero(textures.pair_weights)[-1]))
-        return cls(patch_width, textures.source.shape[2], weighted_channels, mean_channels)
+        return cls(patch_width, textures.source.shape[2], weighted_channels, textures.mean_channels)
 
     @classmethod
     def of_sizes(cls, sizes, with_map=False):

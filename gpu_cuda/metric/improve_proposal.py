@@ -37,24 +37,24 @@ def make_assignment_delta(constants):
 
     @njit
     def assignment_delta(metric, patch, y, x, source_y, source_x, limit):
-        source, source_width, pair_weights, guide_map, target_sums, source_sums = metric
+        source, source_width, weights, guide_map, target_sums, source_sums = metric
         patches, first, pixel, row = patch
         source_first = ((source_y - radius) * source_width + source_x - radius) * pixel_words
         source_row = source_width * pixel_words
         if mean_channels and guide_map[y, x]:
             guides = guides_by_means(
-                pair_weights, target_sums, source_sums, mean_channels, patch_width,
+                weights, target_sums, source_sums, mean_channels, patch_width,
                 y, x, source_y, source_x,
             )  # fmt: skip
             if guides >= limit:
                 return guides
             return guides + style_ssd(
                 patches, first, pixel, row,
-                source, source_first, pixel_words, source_row, pair_weights, limit - guides,
+                source, source_first, pixel_words, source_row, weights, limit - guides,
             )  # fmt: skip
         return patch_ssd(
             patches, first, pixel, row,
-            source, source_first, pixel_words, source_row, pair_weights, limit,
+            source, source_first, pixel_words, source_row, weights, limit,
         )  # fmt: skip
 
     return assignment_delta

@@ -1,9 +1,9 @@
 """δ of a thread (SSD, thesis 3.2): four channels a read, and no more rows than decide.
 
 A texture is read as a flat array of words, four packed channels each. Differences and their
-squares fit 32 bits; two neighbouring channels share a weight, and their part of δ is one
-multiplication to 64 bits. Indices are unsigned, since a negative one would count from the end,
-and Numba guards against it at every read.
+squares fit 32 bits; two neighbouring channels share a weight (that of the first: the second may be
+padding), and their part of δ is one multiplication to 64 bits. Indices are unsigned, since a
+negative one would count from the end, and Numba guards against it at every read.
 """
 
 import numpy as np
@@ -34,19 +34,18 @@ def make_patch_ssd(patch_width, channels, first_channel):
     Returns
     -------
     callable
-        ``(target, first_p, pixel_p, row_p, source, first_q, pixel_q, row_q, pair_weights, limit)
+        ``(target, first_p, pixel_p, row_p, source, first_q, pixel_q, row_q, weights, limit)
         -> int64``: the fixed-point sum, or once that is known to reach ``limit``, a part of it
         that reaches it. ``target`` and ``source`` are (n,) uint32; a patch begins at word
         ``first``, its next pixel is ``pixel`` words further, its next row ``row`` words.
+        ``weights`` are (C,) int64, none of more than 32 bits.
     """
     word_pairs = WORD_CHANNELS // 2
     first_word, end_word = first_channel // WORD_CHANNELS, -(-channels // WORD_CHANNELS)
     first_pair = first_channel // 2
 
     @njit
-    def patch_ssd(
-        target, first_p, pixel_p, row_p, source, first_q, pixel_q, row_q, pair_weights, limit
-    ):
+    def patch_ssd(target, first_p, pixel_p, row_p, source, first_q, pixel_q, row_q, weights, limit):
         total = np.int64(0)
         row_at_p, row_at_q = np.uint64(first_p), np.uint64(first_q)
         for _ in range(patch_width):
@@ -64,7 +63,7 @@ def make_patch_ssd(patch_width, channels, first_channel):
                             squared_difference(word_p, word_q, shift)
                             + squared_difference(word_p, word_q, shift + np.uint32(8))
                         )
-                        weight = np.uint64(pair_weights[np.uint64(at_pair)])
+                        weight = np.uint64(np.uint32(weights[np.uint64(2 * at_pair)]))
                         total += np.int64(weight * np.uint64(squares))
                 at_p += np.uint64(pixel_p)
                 at_q += np.uint64(pixel_q)

@@ -2,8 +2,6 @@
 
 import numpy as np
 
-from gpu_cuda.host.memory import kept_on_device
-
 
 def metric_arrays(textures):
     """Ā, B̄, weights, G, M_B and M_A, as kernels take them.
@@ -16,8 +14,7 @@ def metric_arrays(textures):
         source = textures.source
         sums = source.view(np.uint16)
         means = source.reshape(1, source.size).view(np.bool_), sums, sums
-    weights = kept_on_device(textures.pair_weights)
-    return words(textures.source), words(textures.target), weights, *means
+    return words(textures.source), words(textures.target), textures.weights, *means
 
 
 def words(texture):

@@ -11,10 +11,9 @@ from functools import lru_cache
 import numpy as np
 from numba import cuda
 
-from gpu_cuda.formulae import commit_order, take_proposal
+from gpu_cuda.formulae import commit_order, take_proposal, update_omega_sums
 from gpu_cuda.host.argument_types import COMMITMENT, NUMBERS, STREAM
 from gpu_cuda.host.device import device_function, launch_cooperative
-from gpu_cuda.patch_penalization import update_omega_sums
 from stylit_ref.randomness.commit_classes import CLASS_STRIDE
 
 CLASSES = CLASS_STRIDE**2

@@ -22,5 +22,5 @@ def kernels(sizes):
 
 
 def means(texture, sums, patch_width, first):
-    """As :func:`stylit_ref.passes.means`, on device arrays."""
+    """As :func:`stylit_ref.passes.means`, sums on device arrays."""
     launch(means_kernel, texture.shape[:2], texture, sums, patch_width, first)

@@ -4,7 +4,7 @@ from functools import lru_cache
 
 from numba import cuda
 
-from gpu_cuda.formulae import penalization, propagation_candidate
+from gpu_cuda.formulae import neighbour_offsets, penalization, propagation_candidate
 from gpu_cuda.host.argument_types import INT, SEARCH
 from gpu_cuda.host.device import BLOCK, compiled_for, formula
 from gpu_cuda.metric.constants import MetricConstants
@@ -45,7 +45,7 @@ def make_kernel(constants, block=BLOCK, shared=False):
         best_y, best_x, best_delta = nnf[y, x, 0], nnf[y, x, 1], delta[y, x]
         if best_y >= 0:
             best_phi = best_delta + penalization(omega_sums, occurrence_weight, best_y, best_x)
-            for dy, dx in ((0, distance), (distance, 0), (0, -distance), (-distance, 0)):
+            for dy, dx in neighbour_offsets(distance):
                 near_y, near_x = y + dy, x + dx
                 if near_y < 0 or near_y >= height or near_x < 0 or near_x >= width:
                     continue

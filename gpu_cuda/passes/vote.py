@@ -5,7 +5,13 @@ from functools import lru_cache
 import numpy as np
 from numba import cuda
 
-from gpu_cuda.formulae import distance_from_mean, rounded_mean, voted_pixel, votes_kept
+from gpu_cuda.formulae import (
+    discard_farthest,
+    distance_from_mean,
+    rounded_mean,
+    voted_pixel,
+    votes_kept,
+)
 from gpu_cuda.host.argument_types import IMAGE, INT, NNF
 from gpu_cuda.host.device import launch
 from gpu_cuda.passes.borders import repeat_own_edge
@@ -49,12 +55,7 @@ def make_kernel(patch_width, style_channels, outliers):
                         value = np.int64(source[source_y, source_x, style_channel + c])
                         distances[vote] += distance_from_mean(value, totals[c], votes)
                     vote += 1
-            for _ in range(votes - kept):
-                farthest = 0
-                for vote in range(1, votes):
-                    if distances[vote] > distances[farthest]:
-                        farthest = vote
-                distances[farthest] = -1
+            discard_farthest(distances, votes, kept)
             vote = 0
             for near_y in range(max(y - radius, 0), min(y + radius + 1, height)):
                 for near_x in range(max(x - radius, 0), min(x + radius + 1, width)):

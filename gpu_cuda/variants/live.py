@@ -16,14 +16,17 @@ import numpy as np
 from numba import cuda
 
 from gpu_cuda.formulae import (
-    omega_sum,
+    neighbour_offsets,
     penalization,
+    penalization_by_omega,
     propagation_candidate,
     random_candidate,
     random_words,
     search_draw,
     search_radius,
     search_words,
+    update_omega_sums,
+    update_patch_omega,
 )
 from gpu_cuda.host.argument_types import INT, MAP, METRIC, NNF, STREAM
 from gpu_cuda.host.device import device_function, formula, launch
@@ -31,7 +34,6 @@ from gpu_cuda.metric.constants import MetricConstants
 from gpu_cuda.metric.improve_proposal import NO_LIMIT, make_assignment_delta
 from gpu_cuda.metric.target_patches import make_target_patch
 from gpu_cuda.metric.textures import metric_arrays
-from gpu_cuda.patch_penalization import update_omega_sums, update_patch_omega
 from stylit_ref.formulae.candidates import PROPAGATION_DISTANCES
 from stylit_ref.formulae.improve_assignment import make_improve_assignment
 from stylit_ref.formulae.search_radii import number_of_radii
@@ -50,7 +52,7 @@ def omega_kernels(constants):
 
     @device_function
     def lambda_rho(omega, occurrence_weight, source_y, source_x):
-        return occurrence_weight * np.int64(omega_sum(omega, patch_width, source_y, source_x))
+        return penalization_by_omega(omega, occurrence_weight, patch_width, source_y, source_x)
 
     return _make_kernels(constants, lambda_rho, update_patch_omega)
 
@@ -89,7 +91,7 @@ def _make_kernels(constants, lambda_rho, update):
         patch = target_patch(target, width, y, x)
         best_y, best_x = np.int64(nnf[y, x, 0]), np.int64(nnf[y, x, 1])
         if best_y >= 0:
-            for dy, dx in ((0, distance), (distance, 0), (0, -distance), (-distance, 0)):
+            for dy, dx in neighbour_offsets(distance):
                 near_y, near_x = y + dy, x + dx
                 if near_y < 0 or near_y >= height or near_x < 0 or near_x >= width:
                     continue

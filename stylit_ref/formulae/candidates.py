@@ -16,6 +16,15 @@ def clamp(value, low, high):
 
 
 @njit
+def neighbour_offsets(distance):
+    """Where the neighbours are that propagate: right, below, left, above (thesis 3.3).
+
+    The order counts: of equal candidates the first stays.
+    """
+    return (0, distance), (distance, 0), (0, -distance), (-distance, 0)
+
+
+@njit
 def propagation_candidate(neighbour_y, neighbour_x, dy, dx, radius, source_height, source_width):
     """Assignment of the neighbour at offset ``(dy, dx)``, shifted back by the offset.
 

@@ -19,6 +19,8 @@ from math import ceil
 import numpy as np
 from numba import njit
 
+from stylit_ref.formulae.patch_similarity import squared_differences
+
 
 @njit
 def patch_sum(texture, first_y, first_x, channel, patch_width):
@@ -82,14 +84,13 @@ def sums_dtype(patch_width):
 
 @njit
 def guides_by_means(
-    pair_weights, target_sums, source_sums, channels, patch_width, y, x, source_y, source_x
-):  # fmt: skip
+    weights, target_sums, source_sums, channels, patch_width, y, x, source_y, source_x
+):
     """The guides' part of δ where means stand for them (SSD, thesis 5.2.2).
 
     Parameters
     ----------
-    pair_weights : (C / 2,) uint32
-        Weights of two neighbouring channels each.
+    weights : (C,) int64
     target_sums, source_sums : (H_B, W_B, n) and (H_A, W_A, n) uint16 or uint32
         :func:`patch_sum` of every patch.
     channels : int
@@ -105,21 +106,24 @@ def guides_by_means(
     for c in range(channels):
         sum_p = np.int64(target_sums[y, x, c])
         difference = sum_p - np.int64(source_sums[source_y, source_x, c])
-        total += np.int64(pair_weights[c // 2]) * difference * difference
+        # Of two neighbours the second has the first one's weight or is padding, and a weight has 32
+        # bits: a compiler that knows takes a quarter fewer registers on a GPU.
+        weight = np.int64(np.uint32(weights[c - c % 2]))
+        total += weight * difference * difference
     return total // (patch_width * patch_width)
 
 
 @njit
 def delta_by_means(
-    source, target, pair_weights, target_sums, source_sums, patch_width, y, x, source_y, source_x
-):  # fmt: skip
+    source, target, weights, target_sums, source_sums, patch_width, y, x, source_y, source_x
+):
     """δ of a patch that is white on the map, in its plainest form (SSD, thesis 5.2.2).
 
     Parameters
     ----------
-    source, target, patch_width, y, x, source_y, source_x
+    source, target, weights, patch_width, y, x, source_y, source_x
         As for :func:`stylit_ref.formulae.patch_similarity.delta`.
-    pair_weights, target_sums, source_sums
+    target_sums, source_sums
         As for :func:`guides_by_means`.
 
     Returns
@@ -127,15 +131,7 @@ def delta_by_means(
     int64
         In fixed point, the guides' part rounded down.
     """
-    channels = target_sums.shape[2]
-    total = guides_by_means(
-        pair_weights, target_sums, source_sums, channels, patch_width, y, x, source_y, source_x
-    )
-    radius = patch_width // 2
-    for dy in range(patch_width):
-        for dx in range(patch_width):
-            for c in range(channels, source.shape[2]):
-                f_p = np.int64(target[y + dy, x + dx, c])
-                f_q = np.int64(source[source_y - radius + dy, source_x - radius + dx, c])
-                total += np.int64(pair_weights[c // 2]) * (f_p - f_q) * (f_p - f_q)
-    return total
+    guides = target_sums.shape[2]
+    return guides_by_means(
+        weights, target_sums, source_sums, guides, patch_width, y, x, source_y, source_x
+    ) + squared_differences(source, target, weights, patch_width, y, x, source_y, source_x, guides)

@@ -15,14 +15,18 @@ An assignment changes only where φ becomes strictly lower.
 
 from numba import njit
 
-from stylit_ref.formulae.patch_penalization import omega_sum, penalization, update_patch_omega
+from stylit_ref.formulae.patch_penalization import (
+    penalization,
+    penalization_by_omega,
+    update_patch_omega,
+)
 from stylit_ref.formulae.patch_similarity import delta
 
 
 @njit
 def phi(source, target, weights, omega, occurrence_weight, patch_width, y, x, source_y, source_x):
     """φ(P, Q) = λρ(Q) + δ(P, Q), thesis 2.2, as an exact int64 in fixed point."""
-    return occurrence_weight * omega_sum(omega, patch_width, source_y, source_x) + delta(
+    return penalization_by_omega(omega, occurrence_weight, patch_width, source_y, source_x) + delta(
         source, target, weights, patch_width, y, x, source_y, source_x
     )
 

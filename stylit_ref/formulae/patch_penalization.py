@@ -43,24 +43,69 @@ def penalization(omega_sums, occurrence_weight, source_y, source_x):
 
 
 @njit
-def update_patch_omega(omega, patch_width, source_y, source_x, change):
-    """Add ``change`` to Ω under the patch (UpdatePatchOmega, thesis 3.2)."""
-    radius = patch_width // 2
-    for dy in range(-radius, radius + 1):
-        for dx in range(-radius, radius + 1):
-            omega[source_y + dy, source_x + dx] += change
+def penalization_by_omega(omega, occurrence_weight, patch_width, source_y, source_x):
+    """The same from Ω itself, which its patch is summed over."""
+    return occurrence_weight * np.int64(omega_sum(omega, patch_width, source_y, source_x))
+
+
+def make_update_patch_omega(compiled, add):
+    """Compile UpdatePatchOmega (thesis 3.2).
+
+    Parameters
+    ----------
+    compiled : callable
+        Decorator: :func:`numba.njit`, or what compiles a function of a GPU.
+    add : callable
+        ``(occurrences, y, x, change)``: adds to an element of a map.
+
+    Returns
+    -------
+    callable
+        ``(omega, patch_width, source_y, source_x, change)``: adds ``change`` to Ω under the patch.
+    """
+
+    @compiled
+    def update_patch_omega(omega, patch_width, source_y, source_x, change):
+        radius = patch_width // 2
+        for dy in range(-radius, radius + 1):
+            for dx in range(-radius, radius + 1):
+                add(omega, source_y + dy, source_x + dx, change)
+
+    return update_patch_omega
+
+
+def make_update_omega_sums(compiled, add):
+    """Compile what follows for W; parameters as above.
+
+    The patch at offset ``(dy, dx)`` shares ``(w - |dy|) (w - |dx|)`` pixels with the one that is
+    assigned. One such update of W stands for UpdatePatchOmega and all the sums that would read it.
+
+    Returns
+    -------
+    callable
+        ``(omega_sums, patch_width, source_y, source_x, change)``: adds to W of every patch what
+        ``change`` assignments of one patch add to Ω.
+    """
+
+    @compiled
+    def update_omega_sums(omega_sums, patch_width, source_y, source_x, change):
+        reach = patch_width - 1
+        height, width = omega_sums.shape
+        for dy in range(max(-reach, -source_y), min(reach, height - 1 - source_y) + 1):
+            for dx in range(max(-reach, -source_x), min(reach, width - 1 - source_x) + 1):
+                shared = (patch_width - abs(dy)) * (patch_width - abs(dx))
+                add(omega_sums, source_y + dy, source_x + dx, change * shared)
+
+    return update_omega_sums
 
 
 @njit
-def update_omega_sums(omega_sums, patch_width, source_y, source_x, change):
-    """Add to W of every patch what ``change`` assignments of one patch add to Ω.
+def _add(occurrences, y, x, change):
+    occurrences[y, x] += change
 
-    The patch at offset ``(dy, dx)`` shares ``(w - |dy|) (w - |dx|)`` pixels with it.
-    One such update of W stands for UpdatePatchOmega and all the sums that would
-    read it.
-    """
-    reach = patch_width - 1
-    for dy in range(max(-reach, -source_y), min(reach, omega_sums.shape[0] - 1 - source_y) + 1):
-        rows = change * (patch_width - abs(dy))
-        for dx in range(max(-reach, -source_x), min(reach, omega_sums.shape[1] - 1 - source_x) + 1):
-            omega_sums[source_y + dy, source_x + dx] += rows * (patch_width - abs(dx))
+
+update_patch_omega = make_update_patch_omega(njit, _add)
+"""UpdatePatchOmega where one thread at a time changes Ω."""
+
+update_omega_sums = make_update_omega_sums(njit, _add)
+"""The same for W."""

@@ -30,11 +30,19 @@ def delta(source, target, weights, patch_width, y, x, source_y, source_x):
     int64
         δ in fixed point: exact, whatever the order of the terms.
     """
+    return squared_differences(source, target, weights, patch_width, y, x, source_y, source_x, 0)
+
+
+@njit(forceinline=True)
+def squared_differences(
+    source, target, weights, patch_width, y, x, source_y, source_x, first_channel
+):
+    """The part of δ that the channels from one on make; other parameters as above."""
     radius = patch_width // 2
     total = np.int64(0)
     for dy in range(patch_width):
         for dx in range(patch_width):
-            for c in range(source.shape[2]):
+            for c in range(first_channel, source.shape[2]):
                 f_p = np.int64(target[y + dy, x + dx, c])
                 f_q = np.int64(source[source_y - radius + dy, source_x - radius + dx, c])
                 total += weights[c] * (f_p - f_q) * (f_p - f_q)

@@ -22,3 +22,23 @@ def distance_from_mean(value, total, votes):
 def votes_kept(votes, outliers):
     """How many votes count when the ``outliers`` farthest do not: at least one if there is one."""
     return max(votes - outliers, min(votes, 1))
+
+
+@njit
+def discard_farthest(distances, votes, kept):
+    """Set to -1 the distances of the farthest of ``votes``, until ``kept`` are left.
+
+    Of equally far ones the first go first.
+
+    Parameters
+    ----------
+    distances : (n,) int64
+        Those of the votes come first; none is negative.
+    votes, kept : int
+    """
+    for _ in range(votes - kept):
+        farthest = 0
+        for vote in range(1, votes):
+            if distances[vote] > distances[farthest]:
+                farthest = vote
+        distances[farthest] = -1

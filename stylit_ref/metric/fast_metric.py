@@ -80,7 +80,7 @@ class FastMetric(NamedTuple):
 
 @lru_cache
 def make_fast_metric(patch_width, channels, moments_a_patch, mean_channels):
-    """Compile the metric for constants of :func:`stylit_ref.metric.textures.metric_constants`.
+    """Compile the metric for the sizes of :func:`stylit_ref.metric.textures.vector_sizes`.
 
     Returns
     -------

@@ -13,7 +13,7 @@ def make_guide_map_delta(patch_width, channels, mean_channels, patch_delta):
     Parameters
     ----------
     patch_width, channels, mean_channels : int
-        See :func:`stylit_ref.metric.textures.metric_constants`.
+        See :func:`stylit_ref.metric.textures.vector_sizes`.
     patch_delta : callable
         δ for patches that are black on the map.
 
@@ -32,8 +32,10 @@ def make_guide_map_delta(patch_width, channels, mean_channels, patch_delta):
     def guide_map_delta(textures, y, x, source_y, source_x):
         if not textures.guide_map[y, x]:
             return patch_delta(textures, y, x, source_y, source_x)
+        # Unsigned, since a negative index would count from the end, and Numba guards against it at
+        # every read.
         guides = guides_by_means(
-            textures.pair_weights, textures.target_sums, textures.source_sums, mean_channels,
+            textures.weights, textures.target_sums, textures.source_sums, mean_channels,
             patch_width, np.uint64(y), np.uint64(x), np.uint64(source_y), np.uint64(source_x),
         )  # fmt: skip
         source_stride = np.int64(textures.source.shape[1]) * channels

@@ -3,7 +3,7 @@
 The thesis keeps guidance and style channels together in textures Ā and B̄. So does
 this module, in a layout for vector instructions: guides first, then style, a pixel
 padded to a multiple of 16 bytes, and neighbouring channels ``2k`` and ``2k + 1`` always
-of equal weight (a padding channel, zero on both sides, goes between where needed).
+of equal weight (where needed the second is a padding channel, zero on both sides and weight 0).
 
 Weights are fixed-point integers, so that φ is an exact integer in any order of
 evaluation: on every processor, with any number of threads.

@@ -45,9 +45,14 @@ class Textures(NamedTuple):
     target_sums: np.ndarray | None = None
     style_pair_weights: np.ndarray | None = None
 
+    @property
+    def mean_channels(self):
+        """Packed guide channels that means may stand for: 0 without a guide map."""
+        return 0 if self.guide_map is None else self.source_sums.shape[2]
 
-def metric_constants(textures, patch_width):
-    """What the metric's code is compiled for, as its factories take it.
+
+def vector_sizes(textures, patch_width):
+    """What the metric's vector code for the CPU is compiled for, as its factories take it.
 
     Parameters
     ----------
@@ -58,7 +63,7 @@ def metric_constants(textures, patch_width):
     -------
     tuple of 4 int
         Patch width, packed channels of a pixel, moments of a patch, and the packed guide
-        channels that means may stand for (0 without a guide map).
+        channels that means may stand for.
     """
-    mean_channels = 0 if textures.guide_map is None else textures.source_sums.shape[2]
-    return patch_width, textures.source.shape[2], textures.source_moments.shape[2], mean_channels
+    channels, moments = textures.source.shape[2], textures.source_moments.shape[2]
+    return patch_width, channels, moments, textures.mean_channels

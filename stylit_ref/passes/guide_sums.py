@@ -23,6 +23,9 @@ def _make_kernel(patch_width):
 def means(texture, sums, patch_width, first):
     """Sum the guide channels over every patch that lies in a texture.
 
+    The name is the thesis' (Evaluate_Means) and the ports': what it gives are sums, w² times
+    the means, since they are exact.
+
     Parameters
     ----------
     texture : (H, W, C) uint8

@@ -5,11 +5,11 @@ from functools import lru_cache
 import numpy as np
 from numba import prange
 
-from stylit_ref.formulae.candidates import propagation_candidate
+from stylit_ref.formulae.candidates import neighbour_offsets, propagation_candidate
 from stylit_ref.formulae.patch_penalization import penalization
 from stylit_ref.machine.kernel import kernel
 from stylit_ref.metric.fast_metric import make_fast_metric
-from stylit_ref.metric.textures import metric_constants
+from stylit_ref.metric.textures import vector_sizes
 
 
 @lru_cache
@@ -34,7 +34,7 @@ def _make_kernel(patch_width, channels, moments_a_patch, mean_channels):
                     best_phi = best_delta + penalization(
                         omega_sums, occurrence_weight, best_y, best_x
                     )
-                    for dy, dx in ((0, distance), (distance, 0), (0, -distance), (-distance, 0)):
+                    for dy, dx in neighbour_offsets(distance):
                         near_y, near_x = y + dy, x + dx
                         if near_y < 0 or near_y >= height or near_x < 0 or near_x >= width:
                             continue
@@ -79,5 +79,5 @@ def propagation(
     distance : int
         Offset of the neighbours in pixels (4, 2 and 1 in the thesis' jump flood).
     """
-    run = _make_kernel(*metric_constants(textures, patch_width))
+    run = _make_kernel(*vector_sizes(textures, patch_width))
     run(textures, omega_sums, occurrence_weight, nnf, delta, new_nnf, new_delta, distance)

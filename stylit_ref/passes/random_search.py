@@ -17,7 +17,7 @@ from stylit_ref.machine.kernel import kernel
 from stylit_ref.machine.prefetch import prefetch
 from stylit_ref.metric.fast_metric import make_fast_metric
 from stylit_ref.metric.lower_bound import LINE_MOMENTS
-from stylit_ref.metric.textures import metric_constants
+from stylit_ref.metric.textures import vector_sizes
 from stylit_ref.randomness.random_stream import random_words
 
 # Random candidates miss every cache, and none depends on how another fared. So a few
@@ -136,7 +136,7 @@ def random_search(
     side : int, optional
         The larger side of the target if not given, as in the thesis' kernel.
     """
-    run = _make_kernel(*metric_constants(textures, patch_width))
+    run = _make_kernel(*vector_sizes(textures, patch_width))
     height = delta.shape[0]
     radii = number_of_radii(side or max(delta.shape))
     candidates = np.empty((height, PIXELS_A_BATCH, radii, 2), np.int32)

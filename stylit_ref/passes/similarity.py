@@ -6,7 +6,7 @@ from numba import prange
 
 from stylit_ref.machine.kernel import kernel
 from stylit_ref.metric.fast_metric import make_fast_metric
-from stylit_ref.metric.textures import metric_constants
+from stylit_ref.metric.textures import vector_sizes
 
 
 @lru_cache
@@ -37,4 +37,4 @@ def similarity(textures, patch_width, nnf, delta):
     delta : (H_B, W_B) int64
         Receives δ in fixed point.
     """
-    _make_kernel(*metric_constants(textures, patch_width))(textures, nnf, delta)
+    _make_kernel(*vector_sizes(textures, patch_width))(textures, nnf, delta)

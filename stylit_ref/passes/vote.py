@@ -6,7 +6,12 @@ import numpy as np
 from numba import prange
 
 from stylit_ref.formulae.rounding import rounded_mean
-from stylit_ref.formulae.voting import distance_from_mean, voted_pixel, votes_kept
+from stylit_ref.formulae.voting import (
+    discard_farthest,
+    distance_from_mean,
+    voted_pixel,
+    votes_kept,
+)
 from stylit_ref.machine.kernel import kernel
 
 
@@ -77,12 +82,7 @@ def _make_robust_kernel(patch_width, style_channels):
                     for n in range(votes):
                         distances[n] += distance_from_mean(values[n, c], total, votes)
                 kept = votes_kept(votes, outliers)
-                for _ in range(votes - kept):
-                    farthest = 0
-                    for n in range(1, votes):
-                        if distances[n] > distances[farthest]:
-                            farthest = n
-                    distances[farthest] = -1
+                discard_farthest(distances, votes, kept)
                 for c in range(style_channels):
                     total = 0
                     for n in range(votes):

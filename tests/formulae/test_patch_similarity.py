@@ -8,7 +8,7 @@ from small_level import make_level
 
 from stylit_ref.formulae.patch_similarity import delta
 from stylit_ref.metric.fast_metric import make_fast_metric
-from stylit_ref.metric.textures import metric_constants
+from stylit_ref.metric.textures import vector_sizes
 
 CASES = [
     {"patch_width": 3},
@@ -24,7 +24,7 @@ CASES = [
 @pytest.mark.parametrize("case", CASES, ids=str)
 def test_delta_and_its_fast_form_are_the_definition(case):
     level = make_level(source_size=(15, 19), target_size=(14, 16), **case)
-    constants = metric_constants(level.textures, level.patch_width)
+    constants = vector_sizes(level.textures, level.patch_width)
     assignment_delta = make_fast_metric(*constants).assignment_delta
 
     @njit

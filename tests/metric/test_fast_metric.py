@@ -9,7 +9,7 @@ from small_level import make_level
 from stylit_ref.machine.vector_ssd import make_weighted_ssd
 from stylit_ref.metric.fast_metric import make_fast_metric
 from stylit_ref.metric.lower_bound import BOUND_SCALE, POLYNOMIALS, STYLE_DEGREES, squared_norm
-from stylit_ref.metric.textures import metric_constants
+from stylit_ref.metric.textures import vector_sizes
 
 
 @pytest.mark.parametrize("width", [3, 5])
@@ -93,7 +93,7 @@ def test_the_largest_moments_fit_16_bits(vertical, horizontal):
 @pytest.mark.parametrize("weight", [1e-3, 3e4])
 def test_weights_of_any_size_give_a_bound(weight):
     level = make_level(patch_width=3, guide_channels=(1, 1), guide_weights=(weight, 1.0))
-    metric = make_fast_metric(*metric_constants(level.textures, 3))
+    metric = make_fast_metric(*vector_sizes(level.textures, 3))
     assignment_delta, may_improve = metric.assignment_delta, metric.may_improve
 
     @njit

@@ -92,7 +92,7 @@ def test_the_plainest_form_is_the_fast_one(case):
     for y, x in np.ndindex(*level.delta.shape):
         source_y, source_x = map(int, level.nnf[y, x])
         assert level.delta[y, x] == delta_by_means(
-            textures.source, textures.target, textures.pair_weights, textures.target_sums,
+            textures.source, textures.target, textures.weights, textures.target_sums,
             textures.source_sums, level.patch_width, y, x, source_y, source_x,
         )  # fmt: skip
 

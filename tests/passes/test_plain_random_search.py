@@ -1,4 +1,7 @@
-"""The fast random search and the plain one find the same."""
+"""The fast random search and the plain one find the same.
+
+They share the formulae and δ; ``test_proposals.py`` holds the fast one to a reading of its own.
+"""
 
 import numpy as np
 import pytest
