@@ -1,4 +1,4 @@
-"""The passes as CUDA kernels, file for file, on device arrays.
+"""The passes as CUDA kernels on device arrays.
 
 A kernel handles one target patch, or one pixel, a thread; what it computes is called from
 :mod:`stylit_ref.formulae`. Kernels run on a GPU, or with ``NUMBA_ENABLE_CUDASIM=1`` in Numba's
@@ -6,20 +6,20 @@ simulator.
 """
 
 import gpu_cuda.host.redirection  # noqa: F401
-from gpu_cuda.borders import repeat_edge
-from gpu_cuda.commit import commit
-from gpu_cuda.energy import energy
-from gpu_cuda.guide_map import guide_map
-from gpu_cuda.guide_sums import means
 from gpu_cuda.host.memory import download, upload, wait, zeros
-from gpu_cuda.occurrence import occurrence_map
-from gpu_cuda.patch_moments import moments_storage, patch_moments
-from gpu_cuda.propagation import propagation
-from gpu_cuda.pyramid import downsample, upsample_nnf
-from gpu_cuda.random_nnf import random_nnf
-from gpu_cuda.random_search import random_search
-from gpu_cuda.similarity import similarity
-from gpu_cuda.vote import vote
+from gpu_cuda.passes.borders import repeat_edge
+from gpu_cuda.passes.commit import commit
+from gpu_cuda.passes.energy import energy
+from gpu_cuda.passes.guide_map import guide_map
+from gpu_cuda.passes.guide_sums import means
+from gpu_cuda.passes.occurrence import occurrence_map
+from gpu_cuda.passes.patch_moments import moments_storage, patch_moments
+from gpu_cuda.passes.propagation import propagation
+from gpu_cuda.passes.pyramid import downsample, upsample_nnf
+from gpu_cuda.passes.random_nnf import random_nnf
+from gpu_cuda.passes.random_search import random_search
+from gpu_cuda.passes.similarity import similarity
+from gpu_cuda.passes.vote import vote
 
 __all__ = [
     "commit",

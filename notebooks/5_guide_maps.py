@@ -358,13 +358,14 @@ bounded, unbounded = random_level(), random_level()
 unbounded.textures = unbounded.textures._replace(
     moment_weights=np.zeros_like(unbounded.textures.moment_weights)
 )
-for level in (bounded, unbounded):
+moves = {"with the bound": 0, "without": 0}
+for name, level in zip(moves, (bounded, unbounded), strict=True):
     level.vote()
     level.update_moments()
     for iteration in range(1, 4):
-        propose_commit(level, seed=0, level_number=1, vote=1, iteration=iteration)
+        moves[name] += propose_commit(level, seed=0, level_number=1, vote=1, iteration=iteration)
 np.testing.assert_array_equal(bounded.nnf, unbounded.nnf)
-print(f"{bounded.take_moves()} moves with the bound, {unbounded.take_moves()} without, one result")
+print(", ".join(f"{count} moves {name}" for name, count in moves.items()), "and one result")
 
 # %% [markdown]
 # The same means, used twice: as an approximation they change the picture, as a bound they do not.

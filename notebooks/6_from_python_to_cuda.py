@@ -48,6 +48,7 @@ import numpy as np
 import gpu_cuda
 from eval.metrics.sharpness import sharpness
 from gpu_cuda.host import device, doctor
+from gpu_cuda.variants import live
 from stylit_ref import Params, passes, read_uint8, stylize
 from stylit_ref.randomness import philox
 from stylit_ref.randomness.commit_classes import CLASS_STRIDE, commit_order
@@ -164,11 +165,10 @@ def start(where):
 def live_run():
     """NNF and Ω after Kernel_Propagation and Kernel_RandomSearch, Ω changing as they run."""
     level = start(gpu_cuda)
-    metric = level.textures, level.omega, False, level.occurrence_weight, level.patch_width
-    gpu_cuda.live_propagation(*metric, level.nnf, level.proposed_nnf, 1)
+    live.propagate(level, live.omega_kernels, level.omega, 1)
     stream = random_stream(0, RANDOM_SEARCH, 1, 1, 1)
-    gpu_cuda.live_random_search(*metric, level.proposed_nnf, stream)
-    return gpu_cuda.download(level.proposed_nnf), gpu_cuda.download(level.omega)
+    live.search_at_random(level, live.omega_kernels, level.omega, stream)
+    return gpu_cuda.download(level.nnf), gpu_cuda.download(level.omega)
 
 
 patient = sys.getswitchinterval()
@@ -371,13 +371,14 @@ plt.show()
 
 # %%
 levels = [start(passes), start(gpu_cuda)]
-for level in levels:
-    schedules.propose_commit(level, seed=0, level_number=1, vote=1, iteration=1)
+moves = [
+    schedules.propose_commit(level, seed=0, level_number=1, vote=1, iteration=1) for level in levels
+]
 cpu, cuda = levels
 for name in ("nnf", "delta", "omega_sums"):
     np.testing.assert_array_equal(getattr(cuda, name).copy_to_host(), getattr(cpu, name), name)
 print(f"one iteration on the CPU and on {doctor.device_name()}: the same bytes,")
-print(f"{cpu.take_moves()} moves on one, {cuda.take_moves()} on the other")
+print("{} moves on one, {} on the other".format(*moves))
 
 for threads in range(1, numba.config.NUMBA_NUM_THREADS + 1):
     again = stylize(*scene, Params(uniformity=15000, **SMALL), threads=threads)

@@ -5,7 +5,7 @@ has its own. The kind of a field refuses what does not fit and makes Python's ow
 and fractions: one value, one ``repr``.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from numbers import Integral, Real
 from typing import Any
 
@@ -25,6 +25,19 @@ def parameter(default: Any, kind: Any, text: str) -> Any:
         What the parameter is, in a few words, for a command line's help.
     """
     return field(default=default, metadata={"kind": kind, "text": text})
+
+
+def check_fields(params: Any) -> None:
+    """Have every field's kind check its value and simplify it, for ``__post_init__`` to call.
+
+    Raises
+    ------
+    InputError
+        If a value does not fit its kind.
+    """
+    for each in fields(params):
+        value = each.metadata["kind"].check(each.name, getattr(params, each.name))
+        object.__setattr__(params, each.name, value)
 
 
 @dataclass(frozen=True)
@@ -149,6 +162,15 @@ class Several:
         if not _is_sequence(value):
             raise InputError(f"is {value}; it must be a sequence", parameter=name)
         return tuple(self.kind.check(f"{self.one} {k}", each) for k, each in enumerate(value, 1))
+
+    def parse(self, text):
+        """A tuple of what commas separate."""
+        return tuple(self.kind.parse(part) for part in text.split(","))
+
+    @property
+    def described(self):
+        """What text must be."""
+        return f"{self.kind.described}, or several with commas between"
 
 
 @dataclass(frozen=True)

@@ -69,7 +69,7 @@ MUTATIONS = {
     "the means' part of δ rounded to the nearest": Mutation(
         "stylit_ref/formulae/guide_map.py",
         "return total // (patch_width * patch_width)",
-        "return (total + patch_width) // (patch_width * patch_width)",
+        "return (total + patch_width * patch_width // 2) // (patch_width * patch_width)",
         "tests/passes/test_guide_map.py::test_delta_of_white_patches_compares_means"
         "[{'smooth': True}]",
     ),

@@ -115,6 +115,7 @@ GPU_PASS = '''"""An image turned into its negative."""
 
 from numba import cuda
 
+from gpu_cuda.host.argument_types import IMAGE
 from gpu_cuda.host.device import launch
 
 
@@ -124,6 +125,11 @@ def negative_kernel(image, made):
     if y < image.shape[0] and x < image.shape[1]:
         for c in range(image.shape[2]):
             made[y, x, c] = 255 - image[y, x, c]
+
+
+def kernels(sizes):
+    """Every kernel's name, the kernel and the types of its arguments."""
+    yield "negative", negative_kernel, (IMAGE, IMAGE)
 
 
 def negative(image, made):
@@ -145,11 +151,14 @@ print(made[0, 0], (gpu_cuda.download(device) == made).all())
 
 
 def test_a_pass(code):
-    """A file for the CPU and one for a GPU, its name in each module's list, and its pin."""
+    """A file for the CPU and one for a GPU, its name in the list of each, and its pin."""
     code.add("stylit_ref/passes/negative.py", PASS)
-    code.add("gpu_cuda/negative.py", GPU_PASS)
-    for package in ("stylit_ref/passes", "gpu_cuda"):
-        file, module = f"{package}/__init__.py", package.replace("/", ".")
+    code.add("gpu_cuda/passes/negative.py", GPU_PASS)
+    for module, package in (
+        ("stylit_ref.passes", "stylit_ref/passes"),
+        ("gpu_cuda.passes", "gpu_cuda"),
+    ):
+        file = f"{package}/__init__.py"
         anchor = f"from {module}.propagation import propagation\n"
         code.edit(file, anchor, f"from {module}.negative import negative\n{anchor}")
         code.edit(file, '    "moments_storage",\n', '    "moments_storage",\n    "negative",\n')
@@ -161,8 +170,9 @@ def test_a_pass(code):
     checks = (
         "tests/passes/test_interface.py",
         "tests/gpu_cuda/test_passes.py",
+        "tests/gpu_cuda/test_ptx.py",
         "-k",
-        "called or mirror",
+        "called or mirror or compiled",
     )
     said = code.python("-m", "pytest", "-p", "no:cacheprovider", *checks, **simulated)
     assert " passed" in said

@@ -24,7 +24,9 @@ class StylitRef:
     Attributes
     ----------
     params : Params
-    backend : {"cpu", "cuda"}
+    backend : str
+        One of :data:`stylit_ref.stylization.backends.BACKENDS` but ``auto``, whose times would be of
+        an unknown device.
     """
 
     params: Params = field(default_factory=Params)

@@ -12,7 +12,7 @@ from importlib.metadata import version
 import pandas as pd
 from tqdm import tqdm
 
-from eval.pages import options as shared
+from eval.pages.options import add_output, folder_of
 from eval.pages.page import new_report
 from eval.provenance import provenance
 from gpu_cuda.host.ptx import BLOCKS, CAPABILITIES, compile_to_ptx, kernels
@@ -51,7 +51,7 @@ def assembled(ptxas, ptx, capability, block):
 
 def add_options(parser):
     """Declare what the report may be told."""
-    shared.add_output(parser, "ptx")
+    add_output(parser, "ptx")
 
 
 def main(options):
@@ -83,7 +83,7 @@ def main(options):
     versions = ", ".join(
         f"{package} {version(package)}" for package in ("numba-cuda", "nvidia-cuda-nvcc")
     )
-    with new_report(shared.folder_of(options, "ptx")) as report:
+    with new_report(folder_of(options, "ptx")) as report:
         sections = [
             provenance(),
             f"Compiled without a GPU; {versions}. Patches of width 5, 32 packed channels, 3 of "

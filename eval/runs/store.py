@@ -136,7 +136,10 @@ def measure(job, outcome, metrics=tuple(METRICS)):
         The numbers of each metric, as :func:`store_numbers` keeps them.
     """
     found = stored_numbers(job)
-    return {name: found.get(name) or METRICS[name].measure(job.scene, outcome) for name in metrics}
+    return {
+        name: found[name] if name in found else METRICS[name].measure(job.scene, outcome)
+        for name in metrics
+    }
 
 
 def stored_numbers(job):

@@ -9,10 +9,10 @@ import numpy as np
 from numba import cuda
 
 import gpu_cuda
-from gpu_cuda.commit import CLASSES, class_size, follow
 from gpu_cuda.formulae import take_proposal
 from gpu_cuda.host.argument_types import COMMITMENT, INT, MAP, NNF, NUMBERS
 from gpu_cuda.host.device import launch
+from gpu_cuda.passes.commit import CLASSES, class_size, follow
 from stylit_ref.machine.replaced import replaced
 from stylit_ref.randomness.commit_classes import CLASS_STRIDE, commit_order
 

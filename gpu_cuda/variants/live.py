@@ -27,11 +27,11 @@ from gpu_cuda.formulae import (
 )
 from gpu_cuda.host.argument_types import INT, MAP, METRIC, NNF, STREAM
 from gpu_cuda.host.device import device_function, formula, launch
-from gpu_cuda.improve_proposal import NO_LIMIT, make_assignment_delta
-from gpu_cuda.metric import metric_arrays
-from gpu_cuda.metric_constants import MetricConstants
+from gpu_cuda.metric.constants import MetricConstants
+from gpu_cuda.metric.improve_proposal import NO_LIMIT, make_assignment_delta
+from gpu_cuda.metric.target_patches import make_target_patch
+from gpu_cuda.metric.textures import metric_arrays
 from gpu_cuda.patch_penalization import update_omega_sums, update_patch_omega
-from gpu_cuda.target_patches import make_target_patch
 from stylit_ref.formulae.candidates import PROPAGATION_DISTANCES
 from stylit_ref.formulae.improve_assignment import make_improve_assignment
 from stylit_ref.formulae.search_radii import number_of_radii
@@ -44,7 +44,7 @@ def omega_kernels(constants):
 
     Parameters
     ----------
-    constants : gpu_cuda.metric_constants.MetricConstants
+    constants : gpu_cuda.metric.constants.MetricConstants
     """
     patch_width = constants.patch_width
 

@@ -5,9 +5,9 @@ The results are those of the plain kernels, byte for byte.
 
 import gpu_cuda
 from gpu_cuda.host.device import BLOCK
-from gpu_cuda.metric import launch_search
-from gpu_cuda.propagation import make_kernel as make_propagation_kernel
-from gpu_cuda.random_search import make_kernel as make_random_search_kernel
+from gpu_cuda.metric.launch_search import launch_search
+from gpu_cuda.passes.propagation import make_kernel as make_propagation_kernel
+from gpu_cuda.passes.random_search import make_kernel as make_random_search_kernel
 from stylit_ref.formulae.search_radii import number_of_radii
 from stylit_ref.machine.replaced import replaced
 from stylit_ref.metric.proposal import Proposal

@@ -64,6 +64,7 @@ def _packing(weights, guides):
     packed += [0] * (-len(packed) % LANES)
     return Packing(
         guide_channels=tuple(places[:guides]),
+        guide_sizes=(1,) * guides,
         style_channel=places[guides],
         style_channels=len(places) - guides,
         channels=len(packed),

@@ -73,6 +73,6 @@ def _level_files(options, params):
     """What ``--save-levels`` may write."""
     if not options.save_levels:
         return []
-    names = (_LEVEL, _GUIDE_MAP) if params.method == "guide_map" else (_LEVEL,)
+    names = (_LEVEL, _GUIDE_MAP) if params.traits.has_guide_map else (_LEVEL,)
     numbers = range(1, params.levels + 1)
     return [Path(options.save_levels) / name.format(k) for name in names for k in numbers]

@@ -5,8 +5,6 @@ from dataclasses import fields
 
 from stylit_ref.cli.methods import OFFERS, offer_of
 from stylit_ref.errors import InputError
-from stylit_ref.stylization.methods import heeded_by
-from stylit_ref.stylization.params import PRESETS, Params
 
 SPELLED = {
     "patch_width": "--patch-size",
@@ -16,12 +14,17 @@ SPELLED = {
 }
 """Options that are not spelled as their parameters: users of ebsynth and StyLit know them so."""
 
-_OTHERS = ("guide_weights",)  # --weight, beside its guide
+_OTHERS = "method", "guide_weights"
+"""Parameters whose options are made by hand: ``--weight`` stands beside its guide."""
 
 
 def add_method_options(parser):
-    """Add an option for every parameter of every method, None where it is not given."""
+    """Add ``--method`` and an option for every parameter, None where it is not given."""
     method = parser.add_argument_group("method (defaults of the thesis)")
+    texts = "; ".join(f"{name}, {offer.text}" for name, offer in OFFERS.items())
+    method.add_argument(
+        "--method", default=next(iter(OFFERS)), help=f"{texts} (default %(default)s)"
+    )
     for each in _parameters():
         method.add_argument(
             SPELLED.get(each.name, f"--{each.name.replace('_', '-')}"),
@@ -30,8 +33,9 @@ def add_method_options(parser):
             help=f"{each.metadata['text']} "
             f"(default {'none' if each.default is None else each.default})",
         )
+    presets = dict.fromkeys(name for offer in OFFERS.values() for name in offer.presets)
     method.add_argument(
-        "--preset", choices=PRESETS, default="thesis",
+        "--preset", choices=presets, default=next(iter(presets)),
         help="effort where the options above do not say: thesis, or fast, as for a preview "
         "(default %(default)s)",
     )  # fmt: skip
@@ -43,7 +47,9 @@ def add_method_options(parser):
 def _parameters():
     """Fields of the methods' parameter classes that have an option here, each name once."""
     classes = dict.fromkeys(offer.params for offer in OFFERS.values())
-    named = {each.name: each for params in classes for each in fields(params)}
+    named = {}
+    for each in (each for params in classes for each in fields(params)):
+        named.setdefault(each.name, each)
     return [each for name, each in named.items() if name not in _OTHERS]
 
 
@@ -75,16 +81,23 @@ def chosen_params(options):
     InputError
         If a value is out of range, or for another method.
     """
+    offer = offer_of(options.method)
     given = {each.name: getattr(options, each.name) for each in _parameters()}
     chosen = {name: value for name, value in given.items() if value is not None}
-    weights = tuple(options.guide_weights.get(k, 1.0) for k in range(len(options.guide)))
-    offer = offer_of(chosen.get("method", Params().method))
-    params = offer.params(**(PRESETS[options.preset] | chosen), guide_weights=weights)
     for name in chosen:
-        methods = heeded_by(name)
-        if methods and params.method not in methods:
+        if name not in offer.heeds:
+            methods = [method for method, other in OFFERS.items() if name in other.heeds]
             raise InputError(
-                f"is for --method {', '.join(methods)}; the method is {params.method}",
+                f"is for --method {', '.join(methods)}; the method is {options.method}",
                 parameter=name,
             )
-    return params
+    if options.preset not in offer.presets:
+        raise InputError(
+            f"is {options.preset}, which is not for method {options.method}", parameter="preset"
+        )
+    values = offer.presets[options.preset] | chosen | {"method": options.method}
+    values["guide_weights"] = tuple(
+        options.guide_weights.get(k, 1.0) for k in range(len(options.guide))
+    )
+    names = {each.name for each in fields(offer.params)}
+    return offer.params(**{name: value for name, value in values.items() if name in names})

@@ -1,11 +1,12 @@
 """The methods that ``run`` offers."""
 
 from collections.abc import Callable
+from dataclasses import fields
 from typing import NamedTuple
 
 from stylit_ref.errors import InputError
-from stylit_ref.stylization.methods import METHODS
-from stylit_ref.stylization.params import Params
+from stylit_ref.stylization.methods import METHODS, heeded_by
+from stylit_ref.stylization.params import PRESETS, Params
 from stylit_ref.stylization.stylize import stylize
 
 
@@ -14,18 +15,33 @@ class Offer(NamedTuple):
 
     Attributes
     ----------
+    text : str
+        What it is, in a few words.
     params : type
-        Dataclass of its parameters.
+        Dataclass of its parameters, made by :func:`stylit_ref.parameters.parameter`.
+    heeds : tuple of str
+        Those of them that this method heeds.
+    presets : dict of str to dict
+        Values of them by the name that ``--preset`` takes.
     run : callable
         Called as :func:`stylit_ref.stylize`.
     """
 
+    text: str
     params: type
+    heeds: tuple[str, ...]
+    presets: dict[str, dict]
     run: Callable
 
 
-OFFERS = dict.fromkeys(METHODS, Offer(Params, stylize))
-"""By the name that ``--method`` takes."""
+def _stylization(method):
+    names = [each.name for each in fields(Params)]
+    heeds = [name for name in names if method.name in (heeded_by(name) or METHODS)]
+    return Offer(method.text, Params, tuple(heeds), PRESETS, stylize)
+
+
+OFFERS = {name: _stylization(method) for name, method in METHODS.items()}
+"""By the name that ``--method`` takes; the first is the default."""
 
 
 def offer_of(method: str) -> Offer:

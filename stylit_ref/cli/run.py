@@ -52,10 +52,10 @@ def run(options):
     check_outputs(options, params, images)
     if images.mask is not None and not images.mask.any():
         warnings.warn(f"{options.mask}: no pixel is white, so none is left alone", stacklevel=2)
-    if options.levels is None:  # who did not ask for levels need not hear that there are fewer
+    if options.levels is None:  # nobody asked for levels, so fewer of them are no news
         warnings.simplefilter("ignore", FewerLevelsWarning)
     with progress_line(options.quiet) as show:
-        result = offer_of(params.method).run(
+        result = offer_of(options.method).run(
             images.style,
             images.source_guides,
             images.target_guides,

@@ -1,12 +1,14 @@
 """What a piece of code depends on, as a digest: its files and all that they import.
 
 Comments, docstrings and layout do not count, nor do Python's own modules and other packages that
-are installed. A file counts whole: whoever calls one function of it depends on all of it. Only the
-``__init__`` of a package, which often imports everything, counts for what is taken from it alone.
+are installed, Numba among them: it keeps the kernels of its versions apart itself. A file counts
+whole: whoever calls one function of it depends on all of it. Only the ``__init__`` of a package,
+which often imports everything, counts for what is taken from it alone.
 """
 
 import ast
 import hashlib
+import sys
 import sysconfig
 from functools import cache
 from importlib.util import find_spec
@@ -78,7 +80,10 @@ def _reached(root, without):
 
 
 def _module_name(file):
-    """Dotted name of a file's module, by the packages it lies in."""
+    """Dotted name of a file's module: as it was imported, or by the packages it lies in."""
+    for name, module in list(sys.modules.items()):
+        if name != "__main__" and getattr(module, "__file__", None) == str(file):
+            return name
     parts = [] if file.stem == "__init__" else [file.stem]
     for folder in file.parents:
         if not (folder / "__init__.py").exists():
@@ -98,11 +103,12 @@ class _Source(NamedTuple):
 def _source(file, name):
     tree = ast.parse(file.read_bytes())
     package = name if file.stem == "__init__" else name.rpartition(".")[0]
-    imports = []
+    imports, modules = [], {}
     for node in ast.walk(tree):
         match node:
             case ast.Import(names=names):
                 imports += [(alias.name, None) for alias in names]
+                modules |= {alias.asname or alias.name.partition(".")[0]: alias for alias in names}
             case ast.ImportFrom(module=module, names=names, level=level):
                 parents = package.split(".")[: 1 - level or None] if level else []
                 origin = ".".join([*parents, *filter(None, [module])])
@@ -114,7 +120,21 @@ def _source(file, name):
                 | ast.AsyncFunctionDef(body=[ast.Expr(ast.Constant(str())), *rest])
             ):
                 node.body = rest
+    for chain in filter(None, map(_chain, ast.walk(tree))):
+        if chain[0] in modules:  # import a as b: b.c.d is what it takes from a.c
+            alias = modules[chain[0]]
+            path = [alias.name if alias.asname else chain[0], *chain[1:]]
+            imports += [(".".join(path[:k]), path[k]) for k in range(1, len(path))]
     return _Source(hashlib.sha256(ast.dump(tree).encode()).hexdigest(), imports)
+
+
+def _chain(node):
+    """Names of an expression ``a.b.c``, or None."""
+    names = []
+    while isinstance(node, ast.Attribute):
+        names.insert(0, node.attr)
+        node = node.value
+    return [node.id, *names] if names and isinstance(node, ast.Name) else None
 
 
 def _resolved(module, wanted, own):
@@ -142,23 +162,20 @@ def _file(module, own):
         spec = find_spec(top)
     except (ImportError, ValueError):
         return None
-    if spec is None or not spec.origin or not spec.origin.endswith(".py"):
+    if spec is None:
         return None
-    place = Path(spec.origin).resolve()
-    if top not in own and any(folder in place.parents for folder in INSTALLED):
+    file = Path(spec.origin).resolve() if (spec.origin or "").endswith(".py") else None
+    folders = [Path(folder).resolve() for folder in spec.submodule_search_locations or ()]
+    places = [file] if file else folders
+    if top not in own and any(place.is_relative_to(at) for place in places for at in INSTALLED):
         return None
-    for part in rest:
-        if place.stem != "__init__":
-            return None
-        folder = place.parent
-        place = next(
-            (
-                file
-                for file in (folder / part / "__init__.py", folder / f"{part}.py")
-                if file.exists()
-            ),
-            None,
-        )
-        if place is None:
-            return None
-    return place
+    for part in rest:  # a package may lie in several folders, without an __init__
+        found = [
+            place
+            for folder in folders
+            for place in (folder / part / "__init__.py", folder / f"{part}.py")
+            if place.exists()
+        ]
+        file = found[0] if found else None
+        folders = [folder / part for folder in folders if (folder / part).is_dir()]
+    return file

@@ -44,9 +44,15 @@ class _Cache(FunctionCache):
 
     @cached_property
     def _is_as_it_ran(self):
-        """Whether no file has changed since the process began, whose code another one may be."""
-        files = imported_files(*_files_of(self._function))
-        return all(file.stat().st_mtime_ns <= STARTED for file in files)
+        """Whether no file has changed since the process began, whose code another one may be.
+
+        A cell of a notebook has no file at all.
+        """
+        try:
+            files = imported_files(*_files_of(self._function))
+            return all(file.stat().st_mtime_ns <= STARTED for file in files)
+        except (OSError, SyntaxError):
+            return False
 
     def load_overload(self, *arguments):
         """None also for a damaged file, which is emptied: it is compiled and kept anew."""

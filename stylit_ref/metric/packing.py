@@ -35,8 +35,8 @@ class Packing:
 
     Attributes
     ----------
-    guide_channels : tuple of int
-        First packed channel of each guide.
+    guide_channels, guide_sizes : tuple of int
+        First packed channel of each guide, and the number of its channels.
     style_channel, style_channels : int
         First packed channel of the style and the number of its channels.
     channels : int
@@ -46,6 +46,7 @@ class Packing:
     """
 
     guide_channels: tuple[int, ...]
+    guide_sizes: tuple[int, ...]
     style_channel: int
     style_channels: int
     channels: int
@@ -113,8 +114,28 @@ class Packing:
         for first, guide in zip(self.guide_channels, guides, strict=True):
             texture[:, :, first : first + guide.shape[2]] = guide
         if style is not None:
-            self.style(texture)[:] = style
+            self.set_style(texture, style)
         return texture
+
+    def agrees_with(self, other):
+        """Whether textures of both can be compared."""
+        return self.guide_sizes == other.guide_sizes and np.array_equal(self.weights, other.weights)
+
+    def set_style(self, texture, style):
+        """Write an image into a packed texture's style channels.
+
+        Raises
+        ------
+        InputError
+            If it has another size, type or number of channels.
+        """
+        place = self.style(texture)
+        if style.shape != place.shape or style.dtype != np.uint8:
+            raise InputError(
+                f"the style is {style.dtype} of shape {style.shape}; it must be uint8 of shape "
+                f"{place.shape}"
+            )
+        place[:] = style
 
     def style(self, texture):
         """View of a packed texture's style channels."""
@@ -169,6 +190,7 @@ def make_packing(guide_sizes, style_channels, guide_influence, guide_weights):
     weights += [0] * (-len(weights) % LANES)
     return Packing(
         tuple(guide_channels),
+        tuple(guide_sizes),
         style_channel,
         style_channels,
         len(weights),

@@ -35,7 +35,7 @@ class Proposal(NamedTuple):
     new_nnf: np.ndarray
     new_delta: np.ndarray
 
-    def taken(self):
+    def accepted(self):
         """The same when all that was proposed is assigned: both fields change places."""
         return self._replace(
             nnf=self.new_nnf, delta=self.new_delta, new_nnf=self.nnf, new_delta=self.delta

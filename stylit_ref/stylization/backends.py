@@ -62,7 +62,7 @@ GPU_BACKENDS = {
     "cuda:live": _live,
     "cuda:live_sums": _live_sums,
 }
-"""By name, how a GPU is used; the last two are for the method ``ref`` alone."""
+"""By name, how a GPU is used; what a method can take stands in its row of the methods."""
 
 BACKENDS = ("cpu", "auto", *GPU_BACKENDS)
 
@@ -92,17 +92,13 @@ def find_backend(name: str, params) -> Backend:
             f"is {name!r}; it must be {', '.join(others)} or {last}", parameter="backend"
         )
     has_kernels = params.schedule in params.traits.gpu_schedules
-    if name == "cpu" or (name == "auto" and (not has_kernels or _missing())):
+    offered = params.traits.gpu_backends if has_kernels else ()
+    if name == "cpu" or (name == "auto" and ("cuda" not in offered or _missing())):
         return CPU
-    if not has_kernels:
+    if name not in ("auto", *offered):
         raise InputError(
             f"is {name!r}, but method {params.method!r} in schedule {params.schedule!r} has no "
-            "kernels for a GPU; choose 'cpu'",
-            parameter="backend",
-        )
-    if name.startswith("cuda:live") and params.method != "ref":
-        raise InputError(
-            f"is {name!r}, which is for method 'ref' alone; the method is {params.method!r}",
+            f"kernels for it; choose {' or '.join(map(repr, ('cpu', *offered)))}",
             parameter="backend",
         )
     missing = _missing()

@@ -33,39 +33,55 @@ def as_image(array, name):
     return array
 
 
-def check_guides(style, sources, targets, source_names=None, target_names=None):
-    """Guides come in pairs and fit the style and each other.
+def check_source_guides(style, sources, names=None):
+    """Guides of the source fit the style.
 
-    ``source_names`` and ``target_names`` are what the images are called in a refusal.
+    ``names`` are what the images are called in a refusal.
     """
-    if len(sources) != len(targets):
-        raise InputError(
-            f"there are {len(sources)} source guides and {len(targets)} target guides; "
-            "each source guide needs its target"
-        )
     if not sources:
         raise InputError("there are no guides; at least one pair is needed")
-    numbers = range(1, len(sources) + 1)
-    source_names = source_names or [f"source guide {k}" for k in numbers]
-    target_names = target_names or [f"target guide {k}" for k in numbers]
-    for source, target, source_name, target_name in zip(
-        sources, targets, source_names, target_names, strict=True
-    ):
+    for source, name in zip(sources, names or _names("source", sources), strict=True):
         if source.shape[:2] != style.shape[:2]:
             raise InputError(
-                f"{source_name} is {size_text(source.shape)} but the style is "
+                f"{name} is {size_text(source.shape)} but the style is "
                 f"{size_text(style.shape)}; they must have the same size"
             )
+
+
+def check_target_guides(targets, channels, names=None, source_names=None):
+    """Guides of the target fit each other and those of the source, by their ``channels``."""
+    if len(channels) != len(targets):
+        raise InputError(
+            f"there are {len(channels)} source guides and {len(targets)} target guides; "
+            "each source guide needs its target"
+        )
+    names = names or _names("target", targets)
+    source_names = source_names or _names("source", channels)
+    for target, wanted, name, source_name in zip(
+        targets, channels, names, source_names, strict=True
+    ):
         if target.shape[:2] != targets[0].shape[:2]:
             raise InputError(
-                f"{target_name} is {size_text(target.shape)} but {target_names[0]} is "
+                f"{name} is {size_text(target.shape)} but {names[0]} is "
                 f"{size_text(targets[0].shape)}; they must have the same size"
             )
-        if source.shape[2] != target.shape[2]:
+        if target.shape[2] != wanted:
             raise InputError(
-                f"{source_name} has {source.shape[2]} channels and {target_name} has "
-                f"{target.shape[2]}; they must have the same number"
+                f"{source_name} has {wanted} channels and {name} has {target.shape[2]}; they must "
+                "have the same number"
             )
+
+
+def check_guides(style, sources, targets, source_names=None, target_names=None):
+    """Guides come in pairs and fit the style and each other."""
+    channels = [guide.shape[2] for guide in sources]
+    if len(sources) == len(targets):
+        check_source_guides(style, sources, source_names)
+    check_target_guides(targets, channels, target_names, source_names)
+
+
+def _names(side, guides):
+    return [f"{side} guide {k}" for k in range(1, len(guides) + 1)]
 
 
 def check_mask(mask, fill, target_size, style_channels, mask_name="mask", fill_name="fill"):
@@ -109,6 +125,30 @@ def fit_levels(params, source_size, target_size):
             stacklevel=4,
         )
     return replace(params, levels=levels)
+
+
+def check_halves(exemplar, target, params):
+    """Exemplar, target and parameters of a run belong together, and its integers fit."""
+    if not exemplar.packing.agrees_with(target.packing) or exemplar.passes is not target.passes:
+        raise InputError(
+            "exemplar and target are not packed alike; they need the same guides, weights and "
+            "backend (make_target takes them from the exemplar)"
+        )
+    widths = exemplar.patch_width, target.patch_width, params.patch_width
+    if len(set(widths)) > 1:
+        raise InputError(
+            "is {2}, but the exemplar was made for {0} and the target for {1}".format(*widths),
+            parameter="patch_width",
+        )
+    shortest = min(*exemplar.size, *target.size) >> (params.levels - 1)
+    if shortest < params.patch_width:
+        raise InputError(
+            f"is {params.levels}, but the coarsest level would be smaller than a patch of width "
+            f"{params.patch_width}",
+            parameter="levels",
+        )
+    patches = int(np.count_nonzero(target.synthesized(0)))
+    check_range(exemplar.packing, params, exemplar.size, patches)
 
 
 def check_range(packing, params, source_size, target_patches):

@@ -92,12 +92,26 @@ class Exemplar:
         self._levels.pop(depth, None)
 
     def repainted(self, style: np.ndarray) -> "Exemplar":
-        """The exemplar with another style of the same size over the same guides.
+        """The exemplar with another style over the same guides, whose sums are shared.
 
         Parameters
         ----------
         style : (H_A, W_A, n) uint8
+
+        Returns
+        -------
+        Exemplar
+            A run with the old one goes on as it was.
+
+        Raises
+        ------
+        InputError
+            If the style has another size, type or number of channels.
         """
         texture = self._texture.copy()
-        self.packing.style(texture)[:] = style
-        return Exemplar(self.passes, self.packing, self.patch_width, texture)
+        self.packing.set_style(texture, style)
+        repainted = Exemplar(self.passes, self.packing, self.patch_width, texture)
+        for depth, level in self._levels.items():
+            if "guide_sums" in vars(level):
+                repainted.level(depth).guide_sums = level.guide_sums
+        return repainted

@@ -118,12 +118,21 @@ class Level:
         """The synthesized style B' as it stands, (H_B, W_B, n) uint8, NumPy's."""
         return self.target.style
 
+    def set_nnf(self, nnf: np.ndarray) -> None:
+        """Take assignments, (H_B, W_B, 2) int32; :meth:`init_occurrence_map` makes Ω fit."""
+        self.nnf = self.passes.upload(nnf.copy())
+
     def set_style(self, image: np.ndarray) -> None:
         """Take an image for B', and δ of the NNF with it.
 
         Parameters
         ----------
         image : (H_B, W_B, n) uint8
+
+        Raises
+        ------
+        InputError
+            If it has another size, type or number of channels.
         """
         self.target.set_style(image)
         self.textures = self.textures._replace(target=self.target.texture)

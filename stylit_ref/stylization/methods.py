@@ -24,8 +24,8 @@ class Method:
         Whether a level has a guide map (5.2).
     schedules : tuple of str
         How its PatchMatch may proceed (:mod:`stylit_ref.stylization.schedules`).
-    gpu_schedules : tuple of str
-        Those of them that run as CUDA kernels.
+    gpu_schedules, gpu_backends : tuple of str
+        Those of them that run as CUDA kernels, and on which backends.
     """
 
     name: str
@@ -35,6 +35,7 @@ class Method:
     has_guide_map: bool = False
     schedules: tuple[str, ...] = ("propose_commit",)
     gpu_schedules: tuple[str, ...] = ("propose_commit",)
+    gpu_backends: tuple[str, ...] = ("cuda", "cuda:shared_memory")
 
     @property
     def has_penalization(self) -> bool:
@@ -51,6 +52,7 @@ METHODS = {
             schedules.search,
             heeds=("uniformity",),
             schedules=("propose_commit", "scanline"),
+            gpu_backends=("cuda", "cuda:shared_memory", "cuda:live", "cuda:live_sums"),
         ),
         Method(
             "guide_map",
@@ -64,7 +66,7 @@ METHODS = {
             "by an error budget",
             stylit.search,
             heeds=("budget", "fixed_share", "error_limit"),
-            gpu_schedules=(),
+            gpu_backends=(),
         ),
     )
 }

@@ -1,6 +1,6 @@
 """Parameters of a stylization; the defaults are those of thesis 4.1."""
 
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass
 from typing import Literal
 
 from stylit_ref.errors import InputError
@@ -12,6 +12,7 @@ from stylit_ref.parameters import (
     Optional,
     Several,
     Share,
+    check_fields,
     parameter,
 )
 from stylit_ref.stylization.methods import METHODS, Method
@@ -121,13 +122,10 @@ class Params:
     )
 
     def __post_init__(self):
-        for each in fields(self):
-            kind = each.metadata["kind"]
-            if each.name == "vote_outliers":  # one vote is always kept
-                width = self.patch_width
-                kind = replace(kind, most=width**2 - 1, remark=f", for patches of width {width}")
-            value = kind.check(each.name, getattr(self, each.name))
-            object.__setattr__(self, each.name, value)
+        check_fields(self)
+        width = self.patch_width  # one vote is always kept
+        votes = Integer(0, width**2 - 1, remark=f", for patches of width {width}")
+        votes.check("vote_outliers", self.vote_outliers)
         if self.schedule not in self.traits.schedules:
             methods = [repr(name) for name in METHODS if self.schedule in METHODS[name].schedules]
             raise InputError(

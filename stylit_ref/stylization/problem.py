@@ -13,7 +13,8 @@ from stylit_ref.stylization.checks import (
     as_image,
     check_guides,
     check_mask,
-    check_range,
+    check_source_guides,
+    check_target_guides,
     fit_levels,
 )
 from stylit_ref.stylization.exemplar import Exemplar
@@ -21,6 +22,75 @@ from stylit_ref.stylization.mask import active_patches
 from stylit_ref.stylization.params import Params
 from stylit_ref.stylization.synthesis import Synthesis
 from stylit_ref.stylization.target import Target
+
+
+def make_exemplar(
+    style: np.ndarray,
+    source_guides: Sequence[np.ndarray],
+    params: Params | None = None,
+    *,
+    backend: Backend = CPU,
+) -> Exemplar:
+    """Check a style and its guides, and lay them out for any number of targets and runs.
+
+    Parameters
+    ----------
+    style, source_guides
+        As for :func:`stylit_ref.stylize`.
+    params : Params, optional
+        Its patch width, guide influence and weights count.
+    backend : Backend
+
+    Returns
+    -------
+    Exemplar
+
+    Raises
+    ------
+    InputError
+        If arrays or parameters do not fit together; the message names the sizes.
+    """
+    params = params or Params()
+    style, sources = _style(style), _guides(source_guides, "source")
+    check_source_guides(style, sources)
+    weights = params.guide_weights
+    if weights is None:
+        weights = (1.0,) * len(sources)
+    if len(weights) != len(sources):
+        raise InputError(f"there are {len(weights)} guide weights for {len(sources)} guides")
+    sizes = [guide.shape[2] for guide in sources]
+    packing = make_packing(sizes, style.shape[2], params.guide_influence, weights)
+    texture = packing.pack(sources, style)
+    return Exemplar(backend.passes, packing, params.patch_width, texture)
+
+
+def make_target(
+    target_guides: Sequence[np.ndarray], exemplar: Exemplar, *, mask: np.ndarray | None = None
+) -> Target:
+    """Check the guides of a target, and lay them out for an exemplar like this one.
+
+    Parameters
+    ----------
+    target_guides, mask
+        As for :func:`stylit_ref.stylize`.
+    exemplar : Exemplar
+
+    Returns
+    -------
+    Target
+
+    Raises
+    ------
+    InputError
+        If arrays do not fit together; the message names the sizes.
+    """
+    targets = _guides(target_guides, "target")
+    check_target_guides(targets, exemplar.packing.guide_sizes)
+    size = targets[0].shape[:2]
+    mask = np.zeros(size, bool) if mask is None else as_array(mask, "mask")
+    check_mask(mask, None, size, exemplar.packing.style_channels)
+    texture, width = exemplar.packing.pack(targets), exemplar.patch_width
+    return Target(exemplar.passes, exemplar.packing, width, texture, active_patches(mask, width))
 
 
 def make_synthesis(
@@ -56,29 +126,24 @@ def make_synthesis(
     params = params or Params()
     if not isinstance(seed, Integral) or not 0 <= seed < 1 << 64:
         raise InputError(f"is {seed}; it must be an integer from 0 to 2**64 - 1", parameter="seed")
+    style, sources = _style(style), _guides(source_guides, "source")
+    targets = _guides(target_guides, "target")
+    check_guides(style, sources, targets)
+    size = targets[0].shape[:2]
+    if fill is not None:
+        check_mask(np.zeros(size, bool), fill, size, style.shape[2])
+    params = fit_levels(params, style.shape[:2], size)
+    exemplar = make_exemplar(style, sources, params, backend=backend)
+    target = make_target(targets, exemplar, mask=mask)
+    return Synthesis(exemplar, target, params, seed, backend.iterate)
+
+
+def _style(style):
     style = as_image(style, "style")
     if style.shape[2] > 4:
-        raise InputError(f"style has {style.shape[2]} channels; it must have 1 to 4")
-    sources = [as_image(guide, f"source guide {k}") for k, guide in enumerate(source_guides, 1)]
-    targets = [as_image(guide, f"target guide {k}") for k, guide in enumerate(target_guides, 1)]
-    check_guides(style, sources, targets)
-    guide_weights = params.guide_weights
-    if guide_weights is None:
-        guide_weights = (1.0,) * len(sources)
-    if len(guide_weights) != len(sources):
-        raise InputError(f"there are {len(guide_weights)} guide weights for {len(sources)} guides")
+        raise InputError(f"has {style.shape[2]} channels; it must have 1 to 4", parameter="style")
+    return style
 
-    source_size, target_size = style.shape[:2], targets[0].shape[:2]
-    mask = np.zeros(target_size, bool) if mask is None else as_array(mask, "mask")
-    check_mask(mask, fill, target_size, style.shape[2])
-    params = fit_levels(params, source_size, target_size)
-    packing = make_packing(
-        [guide.shape[2] for guide in sources], style.shape[2], params.guide_influence, guide_weights
-    )
-    synthesized = active_patches(mask, params.patch_width)
-    check_range(packing, params, source_size, int(np.count_nonzero(synthesized)))
 
-    passes, width = backend.passes, params.patch_width
-    exemplar = Exemplar(passes, packing, width, packing.pack(sources, style))
-    target = Target(passes, packing, width, packing.pack(targets), synthesized)
-    return Synthesis(exemplar, target, params, seed, backend.iterate)
+def _guides(guides, side):
+    return [as_image(guide, f"{side} guide {k}") for k, guide in enumerate(guides, 1)]

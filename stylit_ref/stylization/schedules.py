@@ -40,7 +40,7 @@ from stylit_ref.stylization.progress import SearchStep
 
 
 def propose_commit(level, seed, level_number, vote, iteration):
-    """One PatchMatch iteration of the default schedule."""
+    """One PatchMatch iteration of the default schedule; returns the assignments that changed."""
     passes = level.passes
     commit_stream = random_stream(seed, COMMIT_ORDER, level_number, vote, iteration)
     search_stream = random_stream(seed, RANDOM_SEARCH, level_number, vote, iteration)
@@ -49,6 +49,7 @@ def propose_commit(level, seed, level_number, vote, iteration):
         passes.commit(*level.commitment(commit_stream))
     passes.random_search(*level.proposal, search_stream)
     passes.commit(*level.commitment(commit_stream))
+    return level.take_moves()
 
 
 def scanline(level, seed, level_number, vote, iteration):
@@ -69,7 +70,8 @@ def scanline(level, seed, level_number, vote, iteration):
 
 
 SCHEDULES = {"propose_commit": propose_commit, "scanline": scanline}
-"""One iteration of each, ``(level, seed, level_number, vote, iteration)``."""
+"""One iteration of each, ``(level, seed, level_number, vote, iteration) -> int or None``: the
+assignments that changed, where they are counted."""
 
 
 def search(level, params, iterate, seed, level_number, vote):
@@ -91,6 +93,5 @@ def search(level, params, iterate, seed, level_number, vote):
         After every iteration.
     """
     for iteration in range(1, params.patchmatch_iterations + 1):
-        iterate(level, seed, level_number, vote, iteration)
-        moves = level.take_moves() if iterate is propose_commit else None
+        moves = iterate(level, seed, level_number, vote, iteration)
         yield SearchStep(iteration, moves, iteration / params.patchmatch_iterations)

@@ -38,8 +38,8 @@ from stylit_ref.stylization.progress import SearchStep
 from stylit_ref.stylization.target import TargetLevel
 
 LEAST_PROGRESS = 1e-3
-"""A retrieval can fix as many patches as the source has, or the target; another one follows
-where it has fixed this share of the fewer."""
+"""A retrieval can fix at most as many patches as the smaller of source and target has. Another one
+follows if it fixed at least this share of them."""
 
 
 def search(level, params, iterate, seed, level_number, vote):
@@ -148,9 +148,9 @@ class Retrieval:
         passes = self.level.passes
         for distance in PROPAGATION_DISTANCES:
             passes.propagation(*self.proposal, distance)
-            self.proposal = self.proposal.taken()
+            self.proposal = self.proposal.accepted()
         passes.random_search(*self.proposal, stream, max(self.level.delta.shape))
-        self.proposal = self.proposal.taken()
+        self.proposal = self.proposal.accepted()
 
     def settle(self, budget, limits):
         """Fix what the error budget covers.

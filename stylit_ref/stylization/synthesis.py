@@ -4,7 +4,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from stylit_ref.errors import InputError
 from stylit_ref.randomness.random_stream import RANDOM_NNF, random_stream
+from stylit_ref.stylization.checks import check_halves
 from stylit_ref.stylization.exemplar import Exemplar
 from stylit_ref.stylization.level import Level
 from stylit_ref.stylization.params import Params
@@ -27,15 +29,16 @@ class Synthesis:
             synthesis.end_level()
 
     Between two steps a caller may look at :attr:`level`, change its B' (a coherent sequence does),
-    or stop for good. Between two levels the NNF is all that is carried over.
+    or stop for good. The NNF of a level is all that a later run needs to go on from there
+    (:meth:`begin_level`).
 
     Parameters
     ----------
     exemplar : Exemplar
         May be shared with other runs.
     target : Target
+        Packed as the exemplar is.
     params : Params
-        ``levels`` must suit the sizes.
     seed : int
     iterate : callable, optional
         A PatchMatch iteration in the place of that of ``params.schedule``.
@@ -46,11 +49,17 @@ class Synthesis:
         That has been begun last.
     level_number, vote_number : int
         Its number, 1 the coarsest, and the votes since it began; 0 before.
+
+    Raises
+    ------
+    InputError
+        If exemplar, target and parameters do not fit together.
     """
 
     def __init__(
         self, exemplar: Exemplar, target: Target, params: Params, seed: int = 0, iterate=None
     ):
+        check_halves(exemplar, target, params)
         self.exemplar, self.target, self.params, self.seed = exemplar, target, params, seed
         self.iterate = iterate or SCHEDULES[params.schedule]
         self.level, self.level_number, self.vote_number = None, 0, 0
@@ -66,7 +75,7 @@ class Synthesis:
 
     @property
     def votes(self) -> int:
-        """Votes before the last one of the level that has been begun."""
+        """Search-vote iterations of the level that has been begun; one more vote ends it."""
         return self._votes(self.level_number)
 
     @property
@@ -74,18 +83,43 @@ class Synthesis:
         """Levels that are still finer: exemplar and target count from 0, the finest."""
         return self._depth(self.level_number)
 
-    def begin_level(self, number: int) -> Level:
-        """Begin a level with the NNF of the level before, or a random one where there is none.
+    def begin_level(self, number: int, nnf: np.ndarray | None = None, votes: int = 0) -> Level:
+        """Begin a level: the coarsest with a random NNF, another one with that of the level before.
 
         The thesis also upsamples B'; the vote that opens a level overwrites it before anything
         reads it.
+
+        Parameters
+        ----------
+        number : int
+            1 the coarsest. The level before must have been begun last, unless there is an NNF.
+        nnf : (H_B, W_B, 2) int32, optional
+            Assignments of this level to begin with, as a run had them that was left here.
+        votes : int
+            How many votes they have seen.
+
+        Returns
+        -------
+        Level
+
+        Raises
+        ------
+        InputError
+            If the level before is missing.
         """
-        coarse_nnf = self.level.nnf if self.level else None
+        if nnf is None and number not in (1, self.level_number + 1):
+            raise InputError(
+                f"level {number} begins with the NNF of level {number - 1}, but the run is at "
+                f"level {self.level_number}; give the NNF, or begin that level"
+            )
+        coarse_nnf = self.level.nnf if number > 1 and nnf is None else None
         self.level = None  # makes room for the next
-        self.level_number, self.vote_number = number, 0
+        self.level_number, self.vote_number = number, votes
         exemplar, target = self.exemplar.level(self.depth), self.target.level(self.depth)
         level = Level(exemplar, target, self.params)
-        if coarse_nnf is None:
+        if nnf is not None:
+            level.set_nnf(nnf)
+        elif coarse_nnf is None:
             stream = random_stream(self.seed, RANDOM_NNF, number)
             level.passes.random_nnf(level.nnf, level.patch_width, *exemplar.size, stream)
         else:

@@ -79,9 +79,8 @@ class TargetLevel:
         """Take an image, (H_B, W_B, n) uint8, for B'."""
         radius = self.patch_width // 2
         texture = self.passes.download(self.texture)
-        self.packing.style(texture)[:] = np.pad(
-            image, ((radius, radius), (radius, radius), (0, 0)), mode="edge"
-        )
+        edges = (radius, radius), (radius, radius), (0, 0)
+        self.packing.set_style(texture, np.pad(image, edges, mode="edge"))
         self.texture = self.passes.upload(texture)
 
 
@@ -115,6 +114,11 @@ class Target:
         self._textures = [passes.upload(texture)]
         all_of_it = np.ones(texture.shape[:2], bool)
         self._synthesized = [all_of_it if synthesized is None else synthesized]
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Rows and columns of the finest level."""
+        return self._synthesized[0].shape
 
     def synthesized(self, depth: int) -> np.ndarray:
         """Pixels of a level whose patches take part, (H_B, W_B) bool."""

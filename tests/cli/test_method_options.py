@@ -1,11 +1,15 @@
 """Options of ``run`` that shape the result."""
 
+from dataclasses import dataclass
+
 import pytest
 from cli.calls import refused, run
 
 from stylit_ref import PRESETS, InputError, Params
-from stylit_ref.cli import main
-from stylit_ref.cli.methods import OFFERS
+from stylit_ref.cli import _parser, main
+from stylit_ref.cli.method_options import chosen_params
+from stylit_ref.cli.methods import OFFERS, Offer
+from stylit_ref.parameters import Integer, check_fields, parameter
 
 
 @pytest.fixture
@@ -72,7 +76,7 @@ def test_presets_fill_in_what_is_not_said(scene, seen):
         (["--save-levels", "/proc/levels"], "/proc/levels: cannot be made"),
         (["--save-levels", "x" * 300], "cannot be made: File name too long"),
         (["--method", "stylit", "--schedule", "scanline"], "--schedule is 'scanline'; it is for"),
-        (["--backend", "cuda:live", "--method", "stylit"], "has no kernels for a GPU"),
+        (["--backend", "cuda:live", "--method", "stylit"], "has no kernels for it; choose 'cpu'"),
     ],
     ids=str,
 )
@@ -118,3 +122,33 @@ class TestRefusals:
         message = refused(capsys, run(scene[0], "--patch-size", 41))
         assert "41" in message
         assert "46x40" in message
+
+
+@dataclass(frozen=True)
+class Sparse:
+    """Parameters of a method that is not a stylization of the thesis."""
+
+    grid: int = parameter(3, Integer(1, 9), "spacing of the grid")
+    levels: int = parameter(4, Integer(1, 9), "levels")
+
+    def __post_init__(self):
+        check_fields(self)
+
+
+def test_a_method_with_parameters_of_its_own(monkeypatch, capsys):
+    offer = Offer("on a grid", Sparse, ("grid", "levels"), {"quick": {"grid": 2}}, None)
+    monkeypatch.setitem(OFFERS, "sparse", offer)
+    call = ["run", "--style", "s", "--guide", "a", "b", "--output", "o", "--method", "sparse"]
+    parser = _parser()
+    options = parser.parse_args([*call, "--preset", "quick", "--pyramid-levels", "5"])
+    assert chosen_params(options) == Sparse(grid=2, levels=5)
+    assert main([*call, "--preset", "quick", "--uniformity", "5"]) == 2
+    assert main(call) == 2
+    assert main([*call[:-1], "ref", "--grid", "5"]) == 2
+    assert main([*call, "--preset", "quick", "--grid", "12"]) == 2
+    assert capsys.readouterr().err.splitlines() == [
+        "stylit-ref: --uniformity is for --method ref, guide_map; the method is sparse",
+        "stylit-ref: --preset is thesis, which is not for method sparse",
+        "stylit-ref: --grid is for --method sparse; the method is ref",
+        "stylit-ref: --grid is 12; it must be an integer from 1 to 9",
+    ]

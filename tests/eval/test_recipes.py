@@ -160,7 +160,7 @@ def test_what_is_stored_is_kept_under_the_code_it_ran(code):
     formula = "stylit_ref/formulae/candidates.py"
     assert changed(formula, "import numpy", "# A comment.\nimport numpy") == set()
     assert changed(formula, '"""', '"""So it is that ') == set()
-    assert changed("gpu_cuda/commit.py", "import numpy", "import os\nimport numpy") == set()
+    assert changed("gpu_cuda/passes/commit.py", "import numpy", "import os\nimport numpy") == set()
     assert changed(formula, "return ", "return 1 and ") == {"image_energy", "ref"}
     analogies = "eval/methods/image_analogies.py"
     assert changed(analogies, "NEAREST = 8", "NEAREST = 9") == {"image_analogies"}

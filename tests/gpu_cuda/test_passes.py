@@ -8,8 +8,8 @@ from device_level import FULL_SIZES, on_device, to_host
 from small_level import make_level
 
 import gpu_cuda
-from gpu_cuda.metric_constants import MetricConstants
-from gpu_cuda.target_patches import make_target_patch
+from gpu_cuda.metric.constants import MetricConstants
+from gpu_cuda.metric.target_patches import make_target_patch
 from gpu_cuda.variants import launched_commit, shared_memory
 from stylit_ref import InputError, passes
 from stylit_ref.randomness.random_stream import (

@@ -95,6 +95,47 @@ def test_what_counts(package, file, text, counts):
     assert (digest(package) != before) == counts
 
 
+IMPORTS = {
+    "from mylib.formula import f": "f(x)",
+    "from mylib import formula": "formula.f(x)",
+    "import mylib.formula": "mylib.formula.f(x)",
+    "import mylib.formula as g": "g.f(x)",
+    "import mylib as m, mylib.other": "m.formula.f(x)",
+}
+
+
+@pytest.mark.parametrize("package", [True, False], ids=["package", "namespace"])
+@pytest.mark.parametrize("statement", IMPORTS)
+def test_no_form_of_an_import_is_missed(tmp_path, statement, package):
+    folder = tmp_path / "mylib"
+    folder.mkdir()
+    if package:
+        (folder / "__init__.py").write_text("")
+    (folder / "other.py").write_text("")
+    (folder / "formula.py").write_text("def f(x):\n    return x * 2\n")
+    (tmp_path / "user.py").write_text(
+        f"{statement}\n\ndef g(x):\n    return {IMPORTS[statement]}\n"
+    )
+    before = digest(tmp_path)
+    (folder / "formula.py").write_text("def f(x):\n    return x * 3\n")
+    assert digest(tmp_path) != before
+
+
+def test_a_sibling_in_a_package_without_init(tmp_path):
+    (tmp_path / "mylib").mkdir()
+    (tmp_path / "mylib" / "formula.py").write_text("def f(x):\n    return x * 2\n")
+    (tmp_path / "mylib" / "user.py").write_text("from .formula import f\n")
+    program = (
+        "import mylib.user; from stylit_ref.machine.code_digest import imported_files; "
+        "print(*sorted(file.name for file in imported_files(mylib.user)))"
+    )
+    paths = {"PYTHONPATH": f"{tmp_path}:{LIBRARY.parent}", "PATH": ""}
+    done = subprocess.run(
+        [sys.executable, "-c", program], cwd=tmp_path, env=paths, text=True, capture_output=True
+    )
+    assert done.stdout == "formula.py user.py\n", done.stderr
+
+
 def test_the_folder_does_not_count(package, tmp_path_factory):
     elsewhere = tmp_path_factory.mktemp("elsewhere") / "copy"
     before = digest(package)

@@ -126,6 +126,19 @@ def test_an_edit_compiles_what_it_concerns_and_nothing_else(tmp_path):
     assert code.python("-c", DOWNSAMPLE).strip() == "9 compiled"
 
 
+def test_a_kernel_of_a_notebooks_cell_is_compiled_and_not_kept(tmp_path, cache_folder):
+    """A cell has no file; the folder in its place, where debuggers look, may be there."""
+    source = "@kernel(parallel=False)\ndef store(array):\n    array[0] = 7\n"
+    names = {"kernel": kernel}
+    file = tmp_path / "ipykernel_77" / "123.py"
+    file.parent.mkdir()
+    file.write_text(source)
+    exec(compile(source, str(file), "exec"), names)
+    file.unlink()
+    assert run(names["store"]) == (7, False)
+    assert not list(cache_folder.rglob("*.nb?"))
+
+
 @pytest.mark.slow
 def test_a_kernel_outside_the_library_is_never_stale(tmp_path):
     code = CodeCopy(tmp_path, ("stylit_ref",))

@@ -1,7 +1,5 @@
 """Whole PatchMatch iterations: the order of the passes, a twin, and what must hold."""
 
-from types import SimpleNamespace
-
 import brute_force
 import numpy as np
 import pytest
@@ -9,6 +7,7 @@ from small_level import make_level
 
 from stylit_ref import passes
 from stylit_ref.formulae.candidates import propagation_candidate, random_candidate
+from stylit_ref.machine.replaced import replaced
 from stylit_ref.randomness.random_stream import (
     COMMIT_ORDER,
     RANDOM_SEARCH,
@@ -29,9 +28,8 @@ def test_propose_commit_is_the_thesis_kernels_each_followed_by_a_commit():
 
         return call
 
-    level.passes = SimpleNamespace(
-        **{name: spy(name) for name in ("propagation", "random_search", "commit")}
-    )
+    names = "propagation", "random_search", "commit"
+    level.passes = replaced(passes, **{name: spy(name) for name in names})
     propose_commit(level, 9, 2, 3, 4)
     commit = ("commit", random_stream(9, COMMIT_ORDER, 2, 3, 4))
     assert calls == [

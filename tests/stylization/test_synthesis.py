@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from small_scene import small_scene
 
-from stylit_ref import Params, passes, stylize
+from stylit_ref import InputError, Params, passes, stylize
 from stylit_ref.machine.replaced import replaced
 from stylit_ref.stylization.backends import Backend
-from stylit_ref.stylization.problem import make_synthesis
+from stylit_ref.stylization.problem import make_exemplar, make_synthesis, make_target
 from stylit_ref.stylization.synthesis import Synthesis
 
 PARAMS = Params(levels=3, votes=2, patchmatch_iterations=2)
@@ -48,8 +48,7 @@ def test_two_targets_share_an_exemplar_and_take_turns():
     others = [np.ascontiguousarray(guide[::-1, 3:]) for guide in targets]
     deep, flat = PARAMS, replace(PARAMS, levels=2)
     first = make_synthesis(style, sources, targets, deep, seed=3)
-    target = make_synthesis(style, sources, others, flat).target
-    second = Synthesis(first.exemplar, target, flat, seed=4)
+    second = Synthesis(first.exemplar, make_target(others, first.exemplar), flat, seed=4)
     running = [first.run(), second.run()]
     while running:
         running = [run for run in running if next(run, None)]
@@ -88,12 +87,14 @@ def test_what_belongs_to_the_source_is_made_once():
 
 
 def test_another_painting_over_the_same_guides():
-    style, sources, targets = small_scene()
-    first = make_synthesis(style, sources, targets, PARAMS, seed=3)
+    (style, sources, targets), params = small_scene(), METHODS[1]
+    first = make_synthesis(style, sources, targets, params, seed=3)
     first.finish()
-    repainted = Synthesis(first.exemplar.repainted(255 - style), first.target, PARAMS, seed=3)
-    same(repainted.finish(), stylize(255 - style, sources, targets, PARAMS, seed=3))
-    same(first.level, stylize(style, sources, targets, PARAMS, seed=3))
+    exemplar = first.exemplar.repainted(255 - style)
+    assert exemplar.level(0).guide_sums is first.exemplar.level(0).guide_sums
+    repainted = Synthesis(exemplar, first.target, params, seed=3)
+    same(repainted.finish(), stylize(255 - style, sources, targets, params, seed=3))
+    same(first.level, stylize(style, sources, targets, params, seed=3))
 
 
 def test_a_run_that_is_stopped_and_entered_again():
@@ -104,10 +105,7 @@ def test_a_run_that_is_stopped_and_entered_again():
         if (step.level, step.vote, step.patchmatch_iteration) == (2, 1, 2):
             kept["nnf"] = whole.level.nnf.copy()
     resumed = make_synthesis(*small_scene(), PARAMS, seed=3)
-    level = resumed.begin_level(2)
-    level.nnf[:] = kept["nnf"]
-    level.init_occurrence_map()
-    resumed.vote_number = 1
+    resumed.begin_level(2, nnf=kept["nnf"], votes=1)
     resumed.vote()
     steps = list(resumed.search())
     resumed.end_level()
@@ -115,6 +113,44 @@ def test_a_run_that_is_stopped_and_entered_again():
     same(resumed.level, stylize(*small_scene(), PARAMS, seed=3))
     assert steps[0].vote == 2
     assert steps[-1].done == 1
+
+
+def test_a_run_may_be_run_again_and_levels_follow_each_other():
+    synthesis = make_synthesis(*small_scene(), PARAMS, seed=3)
+    synthesis.finish()
+    same(synthesis.finish(), stylize(*small_scene(), PARAMS, seed=3))
+    synthesis.begin_level(1)
+    with pytest.raises(InputError, match="level 3 begins with the NNF of level 2, but the run is"):
+        synthesis.begin_level(3)
+
+
+def test_halves_that_do_not_fit_are_refused():
+    style, sources, targets = small_scene()
+    exemplar = make_exemplar(style, sources, PARAMS)
+    target = make_target(targets, exemplar)
+    wide = replace(PARAMS, patch_width=7)
+    with pytest.raises(InputError, match="patch_width is 7, but the exemplar was made for 5 and"):
+        Synthesis(exemplar, target, wide)
+    heavy = make_exemplar(style, sources, replace(PARAMS, guide_influence=3.0))
+    with pytest.raises(InputError, match="exemplar and target are not packed alike"):
+        Synthesis(heavy, target, PARAMS)
+    with pytest.raises(InputError, match="levels is 5, but the coarsest level would be smaller"):
+        Synthesis(exemplar, target, replace(PARAMS, levels=5))
+    with pytest.raises(InputError, match="there are 2 source guides and 1 target guides"):
+        make_target(targets[:1], exemplar)
+    with pytest.raises(InputError, match="source guide 1 has 3 channels and target guide 1 has 1"):
+        make_target(targets[::-1], exemplar)
+    same(
+        Synthesis(exemplar, target, PARAMS, seed=3).finish(),
+        stylize(*small_scene(), PARAMS, seed=3),
+    )
+
+
+@pytest.mark.parametrize("style", [np.zeros((40, 46, 1), np.uint8), np.zeros((40, 46, 3))])
+def test_a_repainting_is_shaped_like_the_painting(style):
+    exemplar = make_exemplar(*small_scene()[:2], PARAMS)
+    with pytest.raises(InputError, match=r"it must be uint8 of shape \(40, 46, 3\)"):
+        exemplar.repainted(style)
 
 
 def test_a_style_of_ones_own_between_vote_and_search():

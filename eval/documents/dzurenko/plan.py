@@ -103,7 +103,7 @@ class Plan:
         return Job(self.scenes[target], method, seed, self.scheduler)
 
     def gpu_records(self, target):
-        """What GPUs did with a target (:func:`eval.gpu_records.gpu_records`)."""
+        """What GPUs did with a target (:func:`eval.pages.gpu_records.gpu_records`)."""
         if target not in STYLES:
             return {}
         return gpu_records(f"{target}/{STYLES[target]}", self.scenes[target].size)

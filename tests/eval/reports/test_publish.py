@@ -82,6 +82,7 @@ def draw_large(rows, file):
     contact_sheet(rows, file, tile=900)
 
 
+@pytest.mark.slow
 def test_only_what_a_report_chooses_is_committed_and_it_is_small(built, tmp_path):
     assert (built / "large.webp").stat().st_size > 4 * MOST_BYTES
     assert publish(["noise"]) == [Path("reports/noise")]
@@ -96,6 +97,7 @@ def test_only_what_a_report_chooses_is_committed_and_it_is_small(built, tmp_path
         assert small.height / small.width == pytest.approx(shape, rel=0.01)
 
 
+@pytest.mark.slow
 def test_without_names_the_committed_reports_are_made_anew(built, tmp_path):
     with pytest.raises(InputError, match="none of the committed reports is here"):
         publish()

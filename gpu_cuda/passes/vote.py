@@ -5,10 +5,10 @@ from functools import lru_cache
 import numpy as np
 from numba import cuda
 
-from gpu_cuda.borders import repeat_own_edge
 from gpu_cuda.formulae import distance_from_mean, rounded_mean, voted_pixel, votes_kept
 from gpu_cuda.host.argument_types import IMAGE, INT, NNF
 from gpu_cuda.host.device import launch
+from gpu_cuda.passes.borders import repeat_own_edge
 
 
 @lru_cache

@@ -14,17 +14,17 @@ from gpu_cuda.formulae import (
 )
 from gpu_cuda.host.argument_types import INT, SEARCH, STREAM
 from gpu_cuda.host.device import BLOCK, compiled_for, formula
-from gpu_cuda.improve_proposal import make_improve_proposal
-from gpu_cuda.metric import launch_search
-from gpu_cuda.metric_constants import MetricConstants
-from gpu_cuda.target_patches import make_target_patch
+from gpu_cuda.metric.constants import MetricConstants
+from gpu_cuda.metric.improve_proposal import make_improve_proposal
+from gpu_cuda.metric.launch_search import launch_search
+from gpu_cuda.metric.target_patches import make_target_patch
 from stylit_ref.formulae.search_radii import number_of_radii
 from stylit_ref.metric.proposal import Proposal
 
 
 @lru_cache
 def make_kernel(constants, block=BLOCK, shared=False):
-    """Compile Kernel_RandomSearch; parameters as for :func:`gpu_cuda.propagation.make_kernel`."""
+    """Compile Kernel_RandomSearch; parameters as in :mod:`gpu_cuda.passes.propagation`."""
     radius = constants.radius
     improve_proposal = formula(make_improve_proposal(constants))
     target_patch = make_target_patch(constants, block, shared)

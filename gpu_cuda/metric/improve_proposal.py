@@ -5,7 +5,7 @@ from functools import lru_cache
 import numpy as np
 from numba import njit
 
-from gpu_cuda.patch_ssd import make_patch_ssd
+from gpu_cuda.metric.patch_ssd import make_patch_ssd
 from stylit_ref.formulae import improve_assignment
 from stylit_ref.formulae.guide_map import guides_by_means
 
@@ -18,7 +18,7 @@ def make_assignment_delta(constants):
 
     Parameters
     ----------
-    constants : gpu_cuda.metric_constants.MetricConstants
+    constants : gpu_cuda.metric.constants.MetricConstants
 
     Returns
     -------
@@ -27,8 +27,8 @@ def make_assignment_delta(constants):
         :func:`stylit_ref.formulae.patch_similarity.delta` or
         :func:`stylit_ref.formulae.guide_map.delta_by_means`; a number of at least ``limit``
         where those are. ``metric`` is Ā and its width, weights, G, M_B
-        and M_A of :func:`gpu_cuda.metric.metric_arrays`, ``patch`` the target patch as
-        :mod:`gpu_cuda.target_patches` has it.
+        and M_A of :func:`gpu_cuda.metric.textures.metric_arrays`, ``patch`` the target patch as
+        :mod:`gpu_cuda.metric.target_patches` has it.
     """
     patch_width, _, weighted_channels, mean_channels = constants
     pixel_words, radius = constants.pixel_words, constants.radius

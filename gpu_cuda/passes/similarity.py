@@ -6,15 +6,15 @@ from numba import cuda
 
 from gpu_cuda.host.argument_types import DELTA, INT, METRIC, NNF
 from gpu_cuda.host.device import formula, launch
-from gpu_cuda.improve_proposal import NO_LIMIT, make_assignment_delta
-from gpu_cuda.metric import metric_arrays
-from gpu_cuda.metric_constants import MetricConstants
-from gpu_cuda.target_patches import make_target_patch
+from gpu_cuda.metric.constants import MetricConstants
+from gpu_cuda.metric.improve_proposal import NO_LIMIT, make_assignment_delta
+from gpu_cuda.metric.target_patches import make_target_patch
+from gpu_cuda.metric.textures import metric_arrays
 
 
 @lru_cache
 def make_kernel(constants):
-    """Compile the kernel for a level's :class:`gpu_cuda.metric_constants.MetricConstants`."""
+    """Compile the kernel for a level's :class:`gpu_cuda.metric.constants.MetricConstants`."""
     assignment_delta = formula(make_assignment_delta(constants))
     target_patch = make_target_patch(constants, None, shared=False)
 

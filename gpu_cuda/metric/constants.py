@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gpu_cuda.patch_ssd import WORD_CHANNELS
+from gpu_cuda.metric.patch_ssd import WORD_CHANNELS
 
 
 class MetricConstants(NamedTuple):

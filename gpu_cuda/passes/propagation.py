@@ -7,10 +7,10 @@ from numba import cuda
 from gpu_cuda.formulae import penalization, propagation_candidate
 from gpu_cuda.host.argument_types import INT, SEARCH
 from gpu_cuda.host.device import BLOCK, compiled_for, formula
-from gpu_cuda.improve_proposal import make_improve_proposal
-from gpu_cuda.metric import launch_search
-from gpu_cuda.metric_constants import MetricConstants
-from gpu_cuda.target_patches import make_target_patch
+from gpu_cuda.metric.constants import MetricConstants
+from gpu_cuda.metric.improve_proposal import make_improve_proposal
+from gpu_cuda.metric.launch_search import launch_search
+from gpu_cuda.metric.target_patches import make_target_patch
 from stylit_ref.metric.proposal import Proposal
 
 
@@ -20,7 +20,7 @@ def make_kernel(constants, block=BLOCK, shared=False):
 
     Parameters
     ----------
-    constants : gpu_cuda.metric_constants.MetricConstants
+    constants : gpu_cuda.metric.constants.MetricConstants
     block : (int, int)
         Threads of a block along x and y.
     shared : bool

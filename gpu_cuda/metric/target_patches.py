@@ -14,7 +14,7 @@ def make_target_patch(constants, block, shared):
 
     Parameters
     ----------
-    constants : gpu_cuda.metric_constants.MetricConstants
+    constants : gpu_cuda.metric.constants.MetricConstants
     block : (int, int)
         Threads of a block along x and y.
     shared : bool
