@@ -121,7 +121,7 @@ def make_improve_proposal(compiled, delta_below):
     return improve_proposal
 
 
-@njit(forceinline=True)
+@njit(inline="always")
 def take_proposal(nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, y, x):
     """Assign what was proposed for a pixel if that lowers φ, with W as it stands.
 

@@ -36,7 +36,7 @@ def omega_sum(omega, patch_width, source_y, source_x):
     return total
 
 
-@njit
+@njit(inline="always")
 def penalization(omega_sums, occurrence_weight, source_y, source_x):
     """λρ(Q) from W as an exact int64 in fixed point (thesis 2.1)."""
     return occurrence_weight * np.int64(omega_sums[source_y, source_x])

@@ -7,7 +7,7 @@ words; a candidate takes two, so two radii share a draw.
 from numba import njit
 
 
-@njit
+@njit(inline="always")
 def search_radius(k):
     """Radius of the square of candidate ``k``, counted from 0."""
     return 1 << k
@@ -18,13 +18,13 @@ def number_of_radii(side):
     return (int(side) // 2).bit_length()
 
 
-@njit
+@njit(inline="always")
 def search_draw(k):
     """Number of the draw that candidate ``k`` takes its random words from."""
     return k // 2
 
 
-@njit
+@njit(inline="always")
 def search_words(draw, k):
     """Words for y and x of candidate ``k``: the first two of its draw, or the last two.
 

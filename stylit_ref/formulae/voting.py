@@ -3,7 +3,7 @@
 from numba import njit
 
 
-@njit
+@njit(inline="always")
 def voted_pixel(nnf, y, x, near_y, near_x):
     """The source pixel that the patch around ``(near_y, near_x)`` votes for at ``(y, x)``."""
     return nnf[near_y, near_x, 0] + y - near_y, nnf[near_y, near_x, 1] + x - near_x

@@ -19,6 +19,7 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
+from numba import njit
 
 from stylit_ref.formulae.improve_assignment import make_improve_proposal
 from stylit_ref.formulae.patch_penalization import penalization
@@ -108,7 +109,7 @@ def make_fast_metric(patch_width, channels, moments_a_patch, mean_channels):
     if mean_channels:
         assignment_delta = make_guide_map_delta(patch_width, channels, mean_channels, patch_delta)
 
-    @inlined
+    @njit(inline="always")
     def delta_below(textures, y, x, source_y, source_x, limit):
         """The whole δ: vectors have no use for its limit."""
         return assignment_delta(textures, y, x, source_y, source_x)
