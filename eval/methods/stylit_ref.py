@@ -25,8 +25,8 @@ class StylitRef:
     ----------
     params : Params
     backend : str
-        One of :data:`stylit_ref.stylization.backends.BACKENDS` but ``auto``, whose times would be of
-        an unknown device.
+        One of :data:`stylit_ref.stylization.backends.BACKENDS`, but not ``auto``: times belong to
+        a device.
     """
 
     params: Params = field(default_factory=Params)

@@ -103,8 +103,8 @@ class _Source(NamedTuple):
 def _source(file, name):
     tree = ast.parse(file.read_bytes())
     package = name if file.stem == "__init__" else name.rpartition(".")[0]
-    imports, modules = [], {}
-    for node in ast.walk(tree):
+    imports, modules, nodes = [], {}, list(ast.walk(tree))
+    for node in nodes:
         match node:
             case ast.Import(names=names):
                 imports += [(alias.name, None) for alias in names]
@@ -120,7 +120,7 @@ def _source(file, name):
                 | ast.AsyncFunctionDef(body=[ast.Expr(ast.Constant(str())), *rest])
             ):
                 node.body = rest
-    for chain in filter(None, map(_chain, ast.walk(tree))):
+    for chain in filter(None, map(_chain, nodes)):
         if chain[0] in modules:  # import a as b: b.c.d is what it takes from a.c
             alias = modules[chain[0]]
             path = [alias.name if alias.asname else chain[0], *chain[1:]]
