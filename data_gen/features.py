@@ -57,7 +57,7 @@ def trace(rendered, scene, camera, height, width):
     Parameters
     ----------
     rendered : mitsuba.Scene
-        From :func:`data_gen.stage.load`.
+        From :func:`data_gen.load.load`.
     scene : Scene
     camera : Camera
     height, width : int

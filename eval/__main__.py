@@ -37,7 +37,15 @@ def main(arguments=None):
         text = _text_of(module)
         command = commands.add_parser(name, help=text.partition("\n")[0], description=text)
         if name in arguments[:1]:  # what others need is not imported
-            chosen = import_module(module)
+            try:
+                chosen = import_module(module)
+            except ModuleNotFoundError as error:
+                print(
+                    f"eval: reports need packages that are not installed ({error}): install them "
+                    "with pip install -e '.[eval]'",
+                    file=sys.stderr,
+                )
+                return 2
             chosen.add_options(command)
     options = parser.parse_args(arguments)
     warnings.showwarning = lambda message, *_: print(f"note: {message}", file=sys.stderr)

@@ -1,7 +1,7 @@
 """Weighted sums of squared differences with vector instructions.
 
-The same number as the triple loop of :func:`patch_similarity.delta`, several times
-faster. A row of patch pixels is contiguous in memory, so its bytes are loaded as
+The same number as the triple loop of :func:`stylit_ref.formulae.patch_similarity.delta`,
+several times faster. A row of patch pixels is contiguous in memory, so its bytes are loaded as
 vectors that stay aligned to pixels: lane ``k`` of an accumulator always holds
 channels ``2k`` and ``2k + 1`` of the packed pixel (multiply-add adds neighbours), and
 the weights, equal within a pair (:mod:`stylit_ref.metric.packing`), apply once at the end.

@@ -2,6 +2,7 @@
 
 import warnings
 from dataclasses import replace
+from numbers import Integral
 
 import numpy as np
 
@@ -149,6 +150,33 @@ def check_halves(exemplar, target, params):
         )
     patches = int(np.count_nonzero(target.synthesized(0)))
     check_range(exemplar.packing, params, exemplar.size, patches)
+
+
+def check_nnf(nnf, exemplar_size, synthesized, patch_width):
+    """An NNF to begin with: a source patch for every target patch that takes part, and no other."""
+    shape = *synthesized.shape, 2
+    if nnf.dtype != np.int32 or nnf.shape != shape:
+        raise InputError(
+            f"is {nnf.dtype} of shape {nnf.shape}; it must be int32 of shape {shape}",
+            parameter="nnf",
+        )
+    radius = patch_width // 2
+    last = np.array(exemplar_size) - 1 - radius
+    inside = ((nnf >= radius) & (nnf <= last)).all(axis=2)
+    if not np.array_equal(
+        np.where(synthesized, inside, (nnf < 0).all(axis=2)), np.ones_like(inside)
+    ):
+        raise InputError(
+            f"must hold source centres from {[radius, radius]} to {last.tolist()} where the target "
+            "is synthesized, and -1 elsewhere",
+            parameter="nnf",
+        )
+
+
+def check_seed(seed):
+    """A seed is 64 bits."""
+    if not isinstance(seed, Integral) or not 0 <= seed < 1 << 64:
+        raise InputError(f"is {seed}; it must be an integer from 0 to 2**64 - 1", parameter="seed")
 
 
 def check_range(packing, params, source_size, target_patches):

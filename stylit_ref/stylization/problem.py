@@ -1,7 +1,6 @@
 """From images to a run that can begin, with everything checked at the door."""
 
 from collections.abc import Sequence
-from numbers import Integral
 
 import numpy as np
 
@@ -13,6 +12,7 @@ from stylit_ref.stylization.checks import (
     as_image,
     check_guides,
     check_mask,
+    check_seed,
     check_source_guides,
     check_target_guides,
     fit_levels,
@@ -124,8 +124,7 @@ def make_synthesis(
         If arrays or parameters do not fit together; the message names the sizes.
     """
     params = params or Params()
-    if not isinstance(seed, Integral) or not 0 <= seed < 1 << 64:
-        raise InputError(f"is {seed}; it must be an integer from 0 to 2**64 - 1", parameter="seed")
+    check_seed(seed)
     style, sources = _style(style), _guides(source_guides, "source")
     targets = _guides(target_guides, "target")
     check_guides(style, sources, targets)

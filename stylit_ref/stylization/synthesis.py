@@ -6,7 +6,7 @@ import numpy as np
 
 from stylit_ref.errors import InputError
 from stylit_ref.randomness.random_stream import RANDOM_NNF, random_stream
-from stylit_ref.stylization.checks import check_halves
+from stylit_ref.stylization.checks import check_halves, check_nnf, check_seed
 from stylit_ref.stylization.exemplar import Exemplar
 from stylit_ref.stylization.level import Level
 from stylit_ref.stylization.params import Params
@@ -18,7 +18,9 @@ from stylit_ref.stylization.target import Target
 class Synthesis:
     """TextureOptimization of thesis 2.3 and GPU_TextureOptimization of 3.4, step by step.
 
-    A whole run is :meth:`run`, or in smaller steps::
+    It comes from :func:`stylit_ref.stylization.problem.make_synthesis`, or from an exemplar and a
+    target of ``make_exemplar`` and ``make_target`` there. A whole run is :meth:`finish`, :meth:`run`
+    tells its steps, and the same in smaller ones is::
 
         for number in synthesis.level_numbers:
             synthesis.begin_level(number)
@@ -27,6 +29,7 @@ class Synthesis:
                 for step in synthesis.search():
                     ...
             synthesis.end_level()
+        picture, nnf = synthesis.level.style, synthesis.level.nnf
 
     Between two steps a caller may look at :attr:`level`, change its B' (a coherent sequence does),
     or stop for good. The NNF of a level is all that a later run needs to go on from there
@@ -60,6 +63,7 @@ class Synthesis:
         self, exemplar: Exemplar, target: Target, params: Params, seed: int = 0, iterate=None
     ):
         check_halves(exemplar, target, params)
+        check_seed(seed)
         self.exemplar, self.target, self.params, self.seed = exemplar, target, params, seed
         self.iterate = iterate or SCHEDULES[params.schedule]
         self.level, self.level_number, self.vote_number = None, 0, 0
@@ -105,8 +109,10 @@ class Synthesis:
         Raises
         ------
         InputError
-            If the level before is missing.
+            If there is no such level, the level before is missing, or the NNF is none of this one.
         """
+        if number not in self.level_numbers:
+            raise InputError(f"there is no level {number}; levels are 1 to {self.params.levels}")
         if nnf is None and number not in (1, self.level_number + 1):
             raise InputError(
                 f"level {number} begins with the NNF of level {number - 1}, but the run is at "
@@ -118,6 +124,7 @@ class Synthesis:
         exemplar, target = self.exemplar.level(self.depth), self.target.level(self.depth)
         level = Level(exemplar, target, self.params)
         if nnf is not None:
+            check_nnf(nnf, exemplar.size, target.synthesized, level.patch_width)
             level.set_nnf(nnf)
         elif coarse_nnf is None:
             stream = random_stream(self.seed, RANDOM_NNF, number)

@@ -1,5 +1,7 @@
 """What ``python -m eval`` refuses."""
 
+import sys
+
 import pytest
 
 from eval.__main__ import main
@@ -51,3 +53,13 @@ def test_an_option_of_another_report_is_refused(capsys, arguments):
 def test_a_preset_and_a_scene_have_options_of_their_own(capsys, arguments, message):
     assert main(["dzurenko", *arguments]) == 2
     assert message in capsys.readouterr().err
+
+
+def test_packages_that_are_missing_are_named(monkeypatch, capsys):
+    monkeypatch.setitem(sys.modules, "pandas", None)
+    for name in [name for name in sys.modules if name.startswith("eval.reports")]:
+        monkeypatch.delitem(sys.modules, name)
+    assert main(["stylit", "--help"]) == 2
+    said = capsys.readouterr().err
+    assert "import of pandas halted" in said
+    assert "install them with pip install -e '.[eval]'" in said

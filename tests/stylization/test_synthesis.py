@@ -146,6 +146,38 @@ def test_halves_that_do_not_fit_are_refused():
     )
 
 
+@pytest.mark.parametrize(
+    ("spoil", "sentence"),
+    [
+        (lambda nnf: nnf[1:], r"nnf is int32 of shape \(18, 22, 2\); it must be int32 of shape"),
+        (lambda nnf: nnf.astype(np.int64), "nnf is int64"),
+        (lambda nnf: nnf * 0, r"nnf must hold source centres from \[2, 2\] to \[17, 20\]"),
+        (lambda nnf: nnf + 99, "nnf must hold source centres"),
+        (lambda nnf: nnf * 0 - 1, "and -1 elsewhere"),
+    ],
+)
+def test_an_nnf_to_go_on_from_is_one_of_the_level(spoil, sentence):
+    synthesis = make_synthesis(*small_scene(), PARAMS, seed=3)
+    synthesis.begin_level(1)
+    nnf = synthesis.begin_level(2).nnf.copy()
+    with pytest.raises(InputError, match=sentence):
+        synthesis.begin_level(2, nnf=spoil(nnf))
+    again = make_synthesis(*small_scene(), PARAMS, seed=3)
+    np.testing.assert_array_equal(again.begin_level(2, nnf=nnf).nnf, nnf)
+
+
+@pytest.mark.parametrize("number", [0, -1, 4])
+def test_a_level_that_is_not_there(number):
+    with pytest.raises(InputError, match=f"there is no level {number}; levels are 1 to 3"):
+        make_synthesis(*small_scene(), PARAMS).begin_level(number)
+
+
+def test_a_seed_is_checked_wherever_a_run_comes_from():
+    made = make_synthesis(*small_scene(), PARAMS)
+    with pytest.raises(InputError, match="seed is -1; it must be an integer from 0 to"):
+        Synthesis(made.exemplar, made.target, PARAMS, seed=-1)
+
+
 @pytest.mark.parametrize("style", [np.zeros((40, 46, 1), np.uint8), np.zeros((40, 46, 3))])
 def test_a_repainting_is_shaped_like_the_painting(style):
     exemplar = make_exemplar(*small_scene()[:2], PARAMS)
