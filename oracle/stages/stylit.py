@@ -66,6 +66,6 @@ STAGES = {
     "invert_nnf": Stage(_invert_nnf, ("invert_nnf",)),
     "settle": Stage(_settle, ("settle_claims",)),
     "stylit_search": Stage(
-        _search, (*SEARCH, "random_nnf", "similarity", "invert_nnf", "settle_claims")
+        _search, (*SEARCH, "download", "random_nnf", "similarity", "invert_nnf", "settle_claims")
     ),
 }

@@ -163,9 +163,8 @@ def check_nnf(nnf, exemplar_size, synthesized, patch_width):
     radius = patch_width // 2
     last = np.array(exemplar_size) - 1 - radius
     inside = ((nnf >= radius) & (nnf <= last)).all(axis=2)
-    if not np.array_equal(
-        np.where(synthesized, inside, (nnf < 0).all(axis=2)), np.ones_like(inside)
-    ):
+    absent = (nnf < 0).all(axis=2)
+    if not np.where(synthesized, inside, absent).all():
         raise InputError(
             f"must hold source centres from {[radius, radius]} to {last.tolist()} where the target "
             "is synthesized, and -1 elsewhere",

@@ -19,8 +19,8 @@ class Synthesis:
     """TextureOptimization of thesis 2.3 and GPU_TextureOptimization of 3.4, step by step.
 
     It comes from :func:`stylit_ref.stylization.problem.make_synthesis`, or from an exemplar and a
-    target of ``make_exemplar`` and ``make_target`` there. A whole run is :meth:`finish`, :meth:`run`
-    tells its steps, and the same in smaller ones is::
+    target of ``make_exemplar`` and ``make_target`` there. A whole run is :meth:`finish`;
+    :meth:`run` tells its steps; and in smaller ones it is::
 
         for number in synthesis.level_numbers:
             synthesis.begin_level(number)

@@ -51,7 +51,7 @@ def test_an_example_that_cannot_be_finished_is_not_there(folder):
 @pytest.mark.slow
 def test_a_run_of_eval_that_cannot_be_stored_ends_it(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    thesis = ["eval", "thesis", "--step", "7", "--targets", "hand", "--output", "report"]
+    thesis = ["eval", "dzurenko", "--step", "7", "--targets", "hand", "--output", "report"]
     with started(*thesis, folder=tmp_path, largest_file=1000) as process:
         check(*done(process), "build/runs/…: cannot be written: File too large")
     assert not Path("report").exists()

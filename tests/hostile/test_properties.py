@@ -17,7 +17,6 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 from small_scene import small_scene
 
-import stylit_ref.stylization.problem
 from data_gen.manifest import DataError, Manifest
 from eval.runs.store import read
 from stylit_ref import InputError, Params, read_image, replay, stylize, write_image
@@ -27,6 +26,7 @@ from stylit_ref.formulae.guide_map import patch_sum, scaled_variance, variance_l
 from stylit_ref.formulae.rounding import rounded_mean
 from stylit_ref.metric.packing import ONE, make_packing, occurrence_weight
 from stylit_ref.randomness.philox import uniform_below
+from stylit_ref.stylization.synthesis import Synthesis
 
 DTYPES = ("uint8", "uint16", "int16", "int32", "float32", "float64", "bool", "object", ">i4", "U1")
 
@@ -134,7 +134,7 @@ def door(monkeypatch):
     def opened(*_):
         raise PassedError
 
-    monkeypatch.setattr(stylit_ref.stylization.problem, "Exemplar", opened)
+    monkeypatch.setattr(Synthesis, "begin_level", opened)
 
 
 SIDES = st.integers(0, 8)
