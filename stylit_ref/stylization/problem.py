@@ -12,7 +12,6 @@ from stylit_ref.stylization.checks import (
     as_image,
     check_guides,
     check_mask,
-    check_seed,
     check_source_guides,
     check_target_guides,
     fit_levels,
@@ -124,7 +123,6 @@ def make_synthesis(
         If arrays or parameters do not fit together; the message names the sizes.
     """
     params = params or Params()
-    check_seed(seed)
     style, sources = _style(style), _guides(source_guides, "source")
     targets = _guides(target_guides, "target")
     check_guides(style, sources, targets)
