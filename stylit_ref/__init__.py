@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from stylit_ref.stylization.progress import Step
     from stylit_ref.stylization.replaying import replay
     from stylit_ref.stylization.stylize import Result, stylize
+    from stylit_ref.stylization.warm_up import warm_up
 
 __all__ = [
     "PRESETS",
@@ -29,6 +30,7 @@ __all__ = [
     "replay",
     "stylize",
     "to_uint8",
+    "warm_up",
     "write_image",
 ]
 __version__ = "0.1.0"
@@ -43,13 +45,15 @@ _HOMES = {
     "stylization.progress": ("Step",),
     "stylization.replaying": ("replay",),
     "stylization.stylize": ("Result", "stylize"),
+    "stylization.warm_up": ("warm_up",),
 }
 
 
 def __getattr__(name):
-    """What is public, on demand: synthesis needs no OpenImageIO, and the oracle's checker no Numba.
+    """Import a public name when it is first used.
 
-    The imports above say the same to type checkers (``tests/test_api.py`` holds them together).
+    Synthesis then needs no OpenImageIO, and the oracle's checker no Numba. The imports above tell
+    type checkers the same names (``tests/test_api.py`` compares the two lists).
     """
     for home, names in _HOMES.items():
         if name in names:

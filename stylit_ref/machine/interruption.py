@@ -10,23 +10,46 @@ import numba
 
 COMPILERS = tuple(str(Path(package.__file__).parent) for package in (numba, llvmlite))
 
+_waiting: Timer | None = None
+"""Asks again for the interruption that a compiler has put off."""
+
 
 def heed_interruptions():
     """Have both raise KeyboardInterrupt in the main thread, for a program to call at its start.
 
     Not within a compiler, which would lose the exception where LLVM calls back, or free the same
-    module twice: there they wait until the kernel is compiled.
+    module twice: there they wait until the kernel is compiled (:func:`heed_waiting`).
     """
     for number in (signal.SIGINT, signal.SIGTERM):
         if signal.getsignal(number) is not signal.SIG_IGN:  # as a shell has it in the background
             signal.signal(number, _interrupt)
 
 
-def _interrupt(number, frame):
-    if not _is_compiling(frame):
+def heed_waiting():
+    """Interrupt now, if an interruption waits for the compiler; to be called between two kernels.
+
+    The next kernel may be compiled at once, and the program would not hear of it before that one,
+    or the last, is done.
+
+    Raises
+    ------
+    KeyboardInterrupt
+    """
+    global _waiting
+    if _waiting is not None:
+        _waiting.cancel()
+        _waiting = None
         raise KeyboardInterrupt
-    again = Timer(0.05, interrupt_main, [number])
+
+
+def _interrupt(number, frame):
+    global _waiting
+    if not _is_compiling(frame):
+        _waiting = None
+        raise KeyboardInterrupt
+    again = Timer(0.05, lambda: _waiting is again and interrupt_main(number))
     again.daemon = True
+    _waiting = again
     again.start()
 
 

@@ -1,99 +1,18 @@
-"""Compiled kernels that are kept on disk and can never be stale.
+"""Loops over whole arrays, compiled when they are first called."""
 
-Numba's own ``cache=True`` looks at the file of the cached function alone: an edited formula that a
-kernel calls would go unnoticed. It also tells two kernels of one factory apart by pickles that
-differ in every process. Here a stored kernel belongs to the code it can call
-(:mod:`stylit_ref.machine.code_digest`), and the constants of its factory are named.
-"""
+import inspect
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
+from contextvars import ContextVar
+from functools import wraps
+from typing import NamedTuple, ParamSpec
 
-import hashlib
-import time
-from contextlib import suppress
-from functools import cached_property
-from pathlib import Path
-from types import FunctionType
+from numba import njit, types
+from numba.core.dispatcher import Dispatcher
 
-from numba import njit
-from numba.core.caching import FunctionCache, IndexDataCacheFile
+from stylit_ref.machine.kernel_cache import KernelCache
 
-from stylit_ref.machine.code_digest import code_digest, imported_files
-
-STARTED = time.time_ns()
-"""When this process came to know the code. A file changed later is not the one it runs."""
-
-
-class _Cache(FunctionCache):
-    """Files of their own for every code and every set of constants.
-
-    They lie where Numba would put them: in NUMBA_CACHE_DIR, ``__pycache__`` or the user's cache
-    folder. No file is ever written again with other contents, so that processes of different
-    code or constants cannot read each other's.
-    """
-
-    def __init__(self, function, constants):
-        self._function, self._constants = function, constants
-        super().__init__(function)
-        del self._cache_file  # Numba's own
-
-    @cached_property
-    def _cache_file(self):
-        """Where the kernel lies; found out when it is first called, as most never are."""
-        code = code_digest(*_files_of(self._function))
-        identity = hashlib.sha256(repr((code, self._constants)).encode()).hexdigest()[:16]
-        return IndexDataCacheFile(self._cache_path, f"{self._impl.filename_base}-{identity}", code)
-
-    @cached_property
-    def _is_as_it_ran(self):
-        """Whether no file has changed since the process began, whose code another one may be.
-
-        A cell of a notebook has no file at all.
-        """
-        try:
-            files = imported_files(*_files_of(self._function))
-            return all(file.stat().st_mtime_ns <= STARTED for file in files)
-        except (OSError, SyntaxError):
-            return False
-
-    def load_overload(self, *arguments):
-        """None also for a damaged file, which is emptied: it is compiled and kept anew."""
-        if not self._is_as_it_ran:
-            return None
-        try:
-            return super().load_overload(*arguments)
-        except Exception:  # whatever a pickle of random bytes brings about
-            with suppress(OSError):
-                self._cache_file.flush()
-            return None
-
-    def save_overload(self, *arguments):
-        """What does not fit on the disk is not kept, nor what LLVM did not hand over.
-
-        Ctrl-C in its callback loses the compiled object, where a program lets it strike there.
-        """
-        with suppress(OSError, RuntimeError):
-            if self._is_as_it_ran:
-                super().save_overload(*arguments)
-
-    def _index_key(self, signature, codegen):
-        return signature, codegen.magic_tuple()
-
-
-def _files_of(function):
-    """The files of a function and of all functions that its factory has put into it."""
-    files, waiting, seen = set(), [function], set()
-    while waiting:
-        found = waiting.pop()
-        found = getattr(found, "py_func", getattr(found, "_defn", found))  # of Numba's wrappers
-        if not isinstance(found, FunctionType) or found in seen:
-            continue
-        seen.add(found)
-        files.add(Path(found.__code__.co_filename))
-        for cell in found.__closure__ or ():
-            with suppress(ValueError):  # of a name that has no value yet
-                content = cell.cell_contents
-                waiting += content if isinstance(content, tuple | list) else [content]
-    return files
-
+Arguments = ParamSpec("Arguments")
 
 # Only loops that say prange run in parallel: no array expression is worth a loop of its own.
 _PRANGE_ALONE = dict.fromkeys(
@@ -101,7 +20,54 @@ _PRANGE_ALONE = dict.fromkeys(
 ) | {"prange": True}
 
 
-def kernel(*constants, parallel=True):
+class Specialization(NamedTuple):
+    """A kernel for arguments of certain types: what is compiled, kept and loaded as one.
+
+    Attributes
+    ----------
+    dispatcher : numba.core.dispatcher.Dispatcher
+    types : tuple of numba.types.Type
+    """
+
+    dispatcher: Dispatcher
+    types: tuple[types.Type, ...]
+
+    @property
+    def is_compiled(self) -> bool:
+        """Whether it can be called without compiling: this process has it, or the disk."""
+        return self.types in self.dispatcher.overloads or (
+            isinstance(self.dispatcher._cache, KernelCache)
+            and self.dispatcher._cache.holds(self.types)
+        )
+
+    def compile(self) -> None:
+        """Compile it, or load it from disk."""
+        self.dispatcher.compile(self.types)
+
+
+_REHEARSED: ContextVar[dict[Specialization, None] | None] = ContextVar("rehearsed", default=None)
+
+
+@contextmanager
+def rehearsal() -> Iterator[dict[Specialization, None]]:
+    """Have kernels note what they are called with, and do nothing.
+
+    Yields
+    ------
+    dict
+        Its keys are the kernels that the block has called, in their order, each once.
+    """
+    rehearsed = {}
+    token = _REHEARSED.set(rehearsed)
+    try:
+        yield rehearsed
+    finally:
+        _REHEARSED.reset(token)
+
+
+def kernel(
+    *constants: int, parallel: bool = True
+) -> Callable[[Callable[Arguments, None]], Callable[Arguments, None]]:
     """Compile a loop over a whole array, once for each machine and source.
 
     Parameters
@@ -115,7 +81,8 @@ def kernel(*constants, parallel=True):
     Returns
     -------
     callable
-        Decorator of a function that Numba can compile.
+        Decorator of a function that Numba can compile. It returns nothing: a kernel writes into
+        its arguments.
     """
 
     def decorate(function):
@@ -123,7 +90,19 @@ def kernel(*constants, parallel=True):
             function
         )
         with suppress(RuntimeError):  # no folder can be written: every process compiles anew
-            dispatcher._cache = _Cache(function, constants)
-        return dispatcher
+            dispatcher._cache = KernelCache(function, constants)
+
+        @wraps(function)
+        def run(*arguments, **named):
+            rehearsed = _REHEARSED.get()
+            if rehearsed is None:
+                dispatcher(*arguments, **named)
+                return
+            values = inspect.signature(function).bind(*arguments, **named).args
+            types_of = tuple(map(dispatcher.typeof_pyval, values))
+            rehearsed[Specialization(dispatcher, types_of)] = None
+
+        run.dispatcher = dispatcher
+        return run
 
     return decorate

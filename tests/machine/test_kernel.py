@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from code_copy import CodeCopy
 
-import stylit_ref.machine.kernel
+import stylit_ref.machine.kernel_cache
 from stylit_ref.machine.code_digest import imported_files
 from stylit_ref.machine.kernel import kernel
 
@@ -31,8 +31,8 @@ def run(store):
     """What the kernel stored, and whether it came from disk."""
     array = np.zeros(1, np.int64)
     store(array)
-    hits = sum(store.stats.cache_hits.values())
-    assert hits + sum(store.stats.cache_misses.values()) == 1
+    hits = sum(store.dispatcher.stats.cache_hits.values())
+    assert hits + sum(store.dispatcher.stats.cache_misses.values()) == 1
     return array[0], hits == 1
 
 
@@ -56,7 +56,7 @@ def test_nowhere_to_write(monkeypatch):
 
     monkeypatch.setattr("numba.core.caching.CompileResultCacheImpl", nowhere)
     monkeypatch.setattr(
-        "stylit_ref.machine.kernel.FunctionCache._impl_class", staticmethod(nowhere)
+        "stylit_ref.machine.kernel_cache.FunctionCache._impl_class", staticmethod(nowhere)
     )
     array = np.zeros(1, np.int64)
     make_kernel(5)(array)
@@ -84,7 +84,7 @@ def make_caller(formula):
 
 def test_a_file_that_changed_after_the_start_is_neither_found_nor_kept(monkeypatch):
     run(make_kernel(1))
-    monkeypatch.setattr(stylit_ref.machine.kernel, "STARTED", 0)
+    monkeypatch.setattr(stylit_ref.machine.kernel_cache, "STARTED", 0)
     assert run(make_kernel(1)) == (1, False)
     monkeypatch.undo()
 
@@ -92,7 +92,7 @@ def test_a_file_that_changed_after_the_start_is_neither_found_nor_kept(monkeypat
 def test_a_formula_from_elsewhere_counts(tmp_path):
     """A factory that is handed a formula does not import the formula's file."""
     store = make_caller(numba.njit(brute_force.mean))
-    files = imported_files(*stylit_ref.machine.kernel._files_of(store.py_func))
+    files = imported_files(*stylit_ref.machine.kernel_cache._files_of(store))
     assert Path(brute_force.__file__) in files
 
 
@@ -101,7 +101,8 @@ import numpy as np
 from {module} import {name} as loop
 array = np.arange(48, dtype=np.uint8).reshape(4, 4, 3)
 {call}
-hits, misses = (sum(getattr(loop.stats, f"cache_{{kind}}").values()) for kind in ("hits", "misses"))
+stats = loop.dispatcher.stats
+hits, misses = (sum(getattr(stats, f"cache_{{kind}}").values()) for kind in ("hits", "misses"))
 print(value, "from disk" if hits and not misses else "compiled")
 """
 DOWNSAMPLE = COUNT.format(

@@ -1,0 +1,105 @@
+"""Compiled kernels that are kept on disk and can never be stale.
+
+Numba's own ``cache=True`` looks at the file of the cached function alone: an edited formula that a
+kernel calls would go unnoticed. It also tells two kernels of one factory apart by pickles that
+differ in every process. Here a stored kernel belongs to the code it can call
+(:mod:`stylit_ref.machine.code_digest`), and the constants of its factory are named.
+"""
+
+import hashlib
+import time
+from contextlib import suppress
+from functools import cached_property
+from pathlib import Path
+from types import FunctionType
+
+from numba.core.caching import FunctionCache, IndexDataCacheFile
+from numba.core.registry import cpu_target
+
+from stylit_ref.machine.code_digest import code_digest, imported_files
+from stylit_ref.machine.interruption import heed_waiting
+
+STARTED = time.time_ns()
+"""When this process came to know the code. A file changed later is not the one it runs."""
+
+
+class KernelCache(FunctionCache):
+    """Files of their own for every code and every set of constants.
+
+    They lie where Numba would put them: in NUMBA_CACHE_DIR, ``__pycache__`` or the user's cache
+    folder. No file is ever written again with other contents, so that processes of different
+    code or constants cannot read each other's.
+    """
+
+    def __init__(self, function, constants):
+        self._function, self._constants = function, constants
+        super().__init__(function)
+        del self._cache_file  # Numba's own
+
+    @cached_property
+    def _cache_file(self):
+        """Where the kernel lies; found out when it is first called, as most never are."""
+        code = code_digest(*_files_of(self._function))
+        identity = hashlib.sha256(repr((code, self._constants)).encode()).hexdigest()[:16]
+        return IndexDataCacheFile(self._cache_path, f"{self._impl.filename_base}-{identity}", code)
+
+    @cached_property
+    def _is_as_it_ran(self):
+        """Whether no file has changed since the process began, whose code another one may be.
+
+        A cell of a notebook has no file at all.
+        """
+        try:
+            files = imported_files(*_files_of(self._function))
+            return all(file.stat().st_mtime_ns <= STARTED for file in files)
+        except (OSError, SyntaxError):
+            return False
+
+    def load_overload(self, *arguments):
+        """None also for a damaged file, which is emptied: it is compiled and kept anew."""
+        if not self._is_as_it_ran:
+            return None
+        try:
+            return super().load_overload(*arguments)
+        except Exception:  # whatever a pickle of random bytes brings about
+            with suppress(OSError):
+                self._cache_file.flush()
+            return None
+
+    def save_overload(self, *arguments):
+        """What does not fit on the disk is not kept, nor what LLVM did not hand over.
+
+        Ctrl-C in its callback loses the compiled object, where a program lets it strike there.
+        """
+        with suppress(OSError, RuntimeError):
+            if self._is_as_it_ran:
+                super().save_overload(*arguments)
+        heed_waiting()
+
+    def holds(self, types):
+        """Whether the kernel for arguments of these types is on the disk."""
+        key = self._index_key(types, cpu_target.target_context.codegen())
+        try:
+            return self._is_as_it_ran and key in self._cache_file._load_index()
+        except Exception:  # as in load_overload
+            return False
+
+    def _index_key(self, signature, codegen):
+        return signature, codegen.magic_tuple()
+
+
+def _files_of(function):
+    """The files of a function and of all functions that its factory has put into it."""
+    files, waiting, seen = set(), [function], set()
+    while waiting:
+        found = waiting.pop()
+        found = getattr(found, "__wrapped__", getattr(found, "_defn", found))  # of Numba, and ours
+        if not isinstance(found, FunctionType) or found in seen:
+            continue
+        seen.add(found)
+        files.add(Path(found.__code__.co_filename))
+        for cell in found.__closure__ or ():
+            with suppress(ValueError):  # of a name that has no value yet
+                content = cell.cell_contents
+                waiting += content if isinstance(content, tuple | list) else [content]
+    return files

@@ -1,0 +1,106 @@
+"""Which kernels a run needs, and how to compile them before it."""
+
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from dataclasses import replace
+
+import numpy as np
+
+from stylit_ref import passes
+from stylit_ref.machine.kernel import Specialization, rehearsal
+from stylit_ref.machine.replaced import replaced
+from stylit_ref.stylization.backends import CPU
+from stylit_ref.stylization.params import Params
+from stylit_ref.stylization.problem import make_synthesis
+
+FIVE_GUIDES = (3, 3, 3, 3, 3)
+"""Channels of the light passes of Fišer et al. 2016, in colour."""
+
+
+def warm_up(
+    params: Params | None = None,
+    *,
+    style_channels: int = 3,
+    guide_channels: Sequence[int] = FIVE_GUIDES,
+    progress: Callable[[int, int], None] | None = None,
+) -> int:
+    """Compile the CPU's kernels for a run before it, and keep them on disk.
+
+    A run compiles what it lacks by itself: this is for an installation, or a farm's image, whose
+    first run shall not wait. The kernels serve every run of the same method, patch width and
+    numbers of channels, whatever its other parameters and sizes are.
+
+    Parameters
+    ----------
+    params : Params, optional
+    style_channels : int
+        Channels of the style, 1 to 4.
+    guide_channels : sequence of int
+        Channels of each guide.
+    progress : callable, optional
+        Called with a kernel's number, from 1, and how many there are to compile, before each.
+
+    Returns
+    -------
+    int
+        How many were compiled: 0 where all were there.
+
+    Raises
+    ------
+    InputError
+        If the parameters and channels do not fit together.
+    """
+    missing = [
+        each
+        for each in kernels_of_run(params or Params(), style_channels, guide_channels)
+        if not each.is_compiled
+    ]
+    for number, each in enumerate(missing, 1):
+        if progress:
+            progress(number, len(missing))
+        each.compile()
+    return len(missing)
+
+
+def kernels_of_run(
+    params: Params, style_channels: int, guide_channels: Sequence[int]
+) -> list[Specialization]:
+    """The CPU's kernels that a run calls, found out by a small one in which they do nothing.
+
+    Parameters
+    ----------
+    params : Params
+    style_channels : int
+    guide_channels : sequence of int
+
+    Returns
+    -------
+    list of Specialization
+        In the order of their first calls.
+
+    Raises
+    ------
+    InputError
+        If the parameters and channels do not fit together.
+    """
+    side = 2 * params.patch_width  # two levels, and no array with a side of 1, whose type differs
+    black = [np.zeros((side, side, channels), np.uint8) for channels in guide_channels]
+    style = np.zeros((side, side, style_channels), np.uint8)
+    short = replace(params, levels=2, votes=1, patchmatch_iterations=1)
+    with rehearsal() as rehearsed:
+        own = replaced(passes, random_nnf=_first_nnf, energy=_no_energy)
+        make_synthesis(style, black, black, short, backend=CPU._replace(passes=own)).finish()
+    return list(rehearsed)
+
+
+def _first_nnf(nnf, patch_width, *others):
+    """Call the kernel that assigns random patches; assign the first one."""
+    passes.random_nnf(nnf, patch_width, *others)
+    nnf[:] = patch_width // 2
+
+
+def _no_energy(*arrays):
+    """Call the kernels of the energy; they have left nothing to take a mean of."""
+    with suppress(ZeroDivisionError):
+        passes.energy(*arrays)
+    return 0.0, 0.0
