@@ -149,7 +149,10 @@ def test_a_report_does_not_overwrite_what_is_read(tmp_path, capsys):
     given.write_text("knee/*\n", encoding="utf-8")
     options = ["--stages", "knee", "--xfail", str(given), "--json", str(given)]
     assert main(["check", *options]) == 2
-    assert "xfail.txt: is read too; name another file" in capsys.readouterr().err
+    assert (
+        "xfail.txt: the output would overwrite this input; name another file"
+        in capsys.readouterr().err
+    )
     assert given.read_text(encoding="utf-8") == "knee/*\n"
 
 
