@@ -16,7 +16,10 @@ from hostile.command_line import accepted, check, contents, refused, run
 from stylit_ref import InputError, read_image, write_image
 
 UNREADABLE = "cannot be read: …"
-TOO_MANY_VALUES = "declares 30000x30000 pixels with {} channels; at most 536870912 values are read"
+TOO_MANY_VALUES = (
+    "declares 30000x30000 pixels with {} channels; at most 536870912 values "
+    "(width x height x channels) can be read; make it smaller"
+)
 NEEDS_PROC = pytest.mark.skipif(
     not os.path.exists("/proc/self/statm"), reason="measured by Linux' /proc"
 )

@@ -89,10 +89,18 @@ def run(folder, arguments):
         ("check --cases made_up/v1 --module port", 0, "1 passed\n"),
         ("check --cases made_up/v1 --module tripling", 1, "image[1] is 3; it must be 2"),
         ("check --cases made_up/v1 --module tripling", 1, "oracle/made_up/SPEC.md."),
-        ("check --cases made_up/v1 --stages philox", 2, "is no stage; there are double"),
+        (
+            "check --cases made_up/v1 --stages philox",
+            2,
+            "which is not a stage; the stages are double",
+        ),
         ("check --module doubling", 2, "neither run_case nor a pass of stylit_ref.passes"),
         ("check --stages knee", 0, "1 passed\n"),
-        ("check --cases v1 --stages double", 2, "'double' is no stage; there are philox"),
+        (
+            "check --cases v1 --stages double",
+            2,
+            "'double', which is not a stage; the stages are philox",
+        ),
         ("make made_up/v1", 2, "made_up/v1 is published and never changes"),
     ],
 )

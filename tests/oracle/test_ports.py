@@ -24,9 +24,9 @@ from oracle.ports import CommandPort, ModulePort
         ("os.kill(os.getpid(), 40)", "signal 40"),
         ("print('no ' * 10**6); print('end'); sys.exit(3)", "exit code 3: ..."),
         ("sys.exit(str(sorted(os.listdir(IN))))", "exit code 1: ['case.json']"),
-        ("os.mkfifo(OUT + '/order.npy')", "order.npy is no file"),
-        ("import time; os.fork() or time.sleep(60)", "order.npy is not there"),
-        ("", "order.npy is not there"),
+        ("os.mkfifo(OUT + '/order.npy')", "order.npy is not a regular file"),
+        ("import time; os.fork() or time.sleep(60)", "order.npy is missing"),
+        ("", "order.npy is missing"),
         ("open(OUT + '/order.npy', 'w').write('1 2')", "order.npy cannot be read as an array"),
         ("np.save(OUT + '/order.npy', np.array([None]))", "order.npy cannot be read as an array"),
         ("np.save(OUT + '/order.npy', np.zeros((16, 2), '>i4'))", "order is >i4; it must be int32"),
@@ -104,7 +104,7 @@ def test_a_program_has_so_long_and_no_heir(tmp_path, capsys):
     command = f"{sys.executable} {port} {tmp_path}/pid {{input}} {{output}}"
     options = ["--port", command, "--timeout", "2", "--stages", "knee"]
     assert main(["check", *options]) == 1
-    assert "knee/ends: failed: no end after 2 s" in capsys.readouterr().out
+    assert "knee/ends: failed: did not end within 2 s" in capsys.readouterr().out
     assert ends(int((tmp_path / "pid").read_text(encoding="utf-8")))
 
 
