@@ -60,7 +60,7 @@ class Integer:
             )
         return int(value)
 
-    parse, described = int, "an integer"
+    parse, described, placeholder = int, "an integer", "N"
 
 
 @dataclass(frozen=True)
@@ -79,7 +79,7 @@ class Number:
             )
         return float(value)
 
-    parse, described = float, "a number"
+    parse, described, placeholder = float, "a number", "X"
 
 
 @dataclass(frozen=True)
@@ -87,6 +87,7 @@ class Share:
     """A number above 0 and up to 1, or the ``word`` where there is one."""
 
     word: str | None = None
+    placeholder = "SHARE"
 
     def check(self, name, value):
         """The value as a float, or the word."""
@@ -124,7 +125,7 @@ class Choice:
             )
         return value
 
-    parse, described = str, "a name"
+    parse, described, placeholder = str, "a name", "NAME"
 
 
 @dataclass(frozen=True)
@@ -132,6 +133,7 @@ class OneOrSeveral:
     """A value of a kind, or several of them."""
 
     kind: Integer | Number
+    placeholder = "N[,N...]"
 
     def check(self, name, value):
         """The value, or a tuple of values."""
@@ -156,6 +158,7 @@ class Several:
 
     kind: Integer | Number
     one: str
+    placeholder = "N[,N...]"
 
     def check(self, name, value):
         """A tuple of values."""
@@ -191,6 +194,11 @@ class Optional:
     def described(self):
         """What text must be."""
         return self.kind.described
+
+    @property
+    def placeholder(self):
+        """What stands for a value in a help text."""
+        return self.kind.placeholder
 
 
 def _is_sequence(value):

@@ -7,16 +7,23 @@ call on the oracle, the bundled scenes and what there is for a GPU.
 """
 
 import sys
-import warnings
 
 from stylit_ref import __version__
-from stylit_ref.cli import doctor, example, oracle, replay, run
+from stylit_ref.cli import doctor, example, oracle, replay, run, warm_up
+from stylit_ref.cli.notes import notes_on_stderr
 from stylit_ref.cli.parser import Parser
-from stylit_ref.errors import InputError, one_line
+from stylit_ref.errors import InputError
 from stylit_ref.machine.interruption import heed_interruptions
 from stylit_ref.machine.threads import sleep_while_waiting
 
-COMMANDS = run, replay, example, oracle, doctor
+_DESCRIPTION = """\
+Paint a sphere, and have a whole rendering in that style. Begin with
+
+  stylit-ref example scenes
+
+which copies scenes and prints a command that stylizes one."""
+
+COMMANDS = example, run, replay, doctor, warm_up, oracle
 
 
 def command():
@@ -40,11 +47,13 @@ def main(arguments: list[str] | None = None) -> int:
         Exit code: 0 on success, 1 where a port differs from the oracle, 2 for input that cannot
         be used, 130 when interrupted.
     """
-    options = _parser().parse_args(arguments)
+    parser = make_parser()
+    if not (sys.argv[1:] if arguments is None else arguments):
+        parser.print_help()
+        return 2
+    options = parser.parse_args(arguments)
     try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("always", UserWarning)
-            warnings.showwarning = _note
+        with notes_on_stderr():
             return options.command(options) or 0
     except InputError as error:
         name = f"{options.parser.flag_of(error.parameter)} " if error.parameter else ""
@@ -58,18 +67,18 @@ def main(arguments: list[str] | None = None) -> int:
         return 130
 
 
-def _parser():
+def make_parser() -> Parser:
+    """The parser of the command line, with those of all commands."""
     parser = Parser(
         prog="stylit-ref",
-        description="Illumination-guided, example-based stylization of 3D renderings.",
-        allow_abbrev=False,
+        usage="%(prog)s COMMAND ...",
+        description=_DESCRIPTION,
+        epilog="stylit-ref COMMAND --help tells the options of a command.",
     )
     parser.add_argument("--version", action="version", version=f"stylit-ref {__version__}")
-    commands = parser.add_subparsers(required=True)
+    commands = parser.add_subparsers(
+        required=True, title="commands", metavar="COMMAND", prog="stylit-ref"
+    )
     for each in COMMANDS:
         each.add_parser(commands)
     return parser
-
-
-def _note(message, *_):
-    print(f"note: {one_line(str(message))}", file=sys.stderr)

@@ -1,22 +1,71 @@
-"""``stylit-ref doctor``: what there is for a GPU."""
+"""``stylit-ref doctor``: what this installation has, and what it lacks."""
+
+import os
+import platform
+from importlib.metadata import version
+
+import numba
+import OpenImageIO as oiio
+
+from stylit_ref import __version__
+from stylit_ref.cli.methods import OFFERS
+from stylit_ref.stylization.warm_up import FIVE_GUIDES
 
 
 def add_parser(commands):
     """Add the command."""
     parser = commands.add_parser(
         "doctor",
-        help="say what there is for a GPU",
-        description="Say what of a GPU's software is installed, and what is missing.",
-        allow_abbrev=False,
+        help="say what this installation has: threads, compiled kernels, file kinds, GPU",
+        description="Say what this installation has: versions, threads, where compiled kernels are "
+        "kept and\nwhich are there, which image files it reads and writes, and what there is for a "
+        "GPU.",
     )
     parser.set_defaults(command=run, parser=parser)
 
 
 def run(_):
     """Print the report; a missing part is what it is about, not an error."""
+    for name, text in _lines():
+        print(f"{name:13} {text}")
     try:
         from gpu_cuda.host.doctor import report
     except ImportError as error:  # of numba-cuda, where a part of it is not installed
         print(f"GPU           none: the kernels cannot be loaded: {error}")
     else:
         print(*report(), sep="\n")
+
+
+def _lines():
+    yield "stylit-ref", f"{__version__}, Python {platform.python_version()}"
+    yield "OpenImageIO", version("OpenImageIO")
+    threads = numba.config.NUMBA_NUM_THREADS
+    yield "threads", f"{threads} of {os.cpu_count()}; NUMBA_NUM_THREADS sets another number"
+    yield from _kernel_lines()
+    yield "reads", _kinds("input_format_list", without=("null",))
+    yield "writes", _kinds("output_format_list", without=("null", "term", "gif"))
+
+
+def _kernel_lines():
+    needed = {
+        name: offer.kernels(offer.params(method=name), 3, FIVE_GUIDES)
+        for name, offer in OFFERS.items()
+    }
+    folders = {each.folder for kernels in needed.values() for each in kernels}
+    if None in folders:
+        yield "kernels", "no folder can be written, so every run compiles; set NUMBA_CACHE_DIR"
+    else:
+        files = [file for folder in folders for file in folder.glob("*.nb?")]
+        size = sum(file.stat().st_size for file in files) / 2**20
+        place = os.path.commonpath(folders)
+        yield "kernels", f"{size:.1f} MiB in {place}; NUMBA_CACHE_DIR sets another folder"
+    counts = [
+        f"{name} {sum(each.is_compiled for each in kernels)} of {len(kernels)}"
+        for name, kernels in needed.items()
+    ]
+    yield "compiled", f"{', '.join(counts)}, for five guides in colour; see stylit-ref warm-up"
+
+
+def _kinds(attribute, without):
+    names = oiio.get_string_attribute(attribute).split(",")
+    return ", ".join(name for name in names if name not in without)

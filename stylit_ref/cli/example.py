@@ -6,7 +6,9 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from stylit_ref.errors import InputError
-from stylit_ref.files.output_file import real_path
+from stylit_ref.files.output_file import real_path, temporary_name
+
+_MANIFEST = "manifest.json"
 
 
 def add_parser(commands):
@@ -14,30 +16,36 @@ def add_parser(commands):
     parser = commands.add_parser(
         "example",
         help="copy the bundled scenes and say how to stylize one",
-        description="Copy the bundled scenes, seven targets, a house, and a sphere painted in four "
-        "styles, into a new folder, and print a command that stylizes one.",
-        allow_abbrev=False,
+        description="Copy the bundled scenes into a folder: seven targets, a house, and a sphere "
+        "painted in four styles.\nPrint a command that stylizes one. In a folder of scenes, copy "
+        "only what is missing.",
     )
     parser.set_defaults(command=run, parser=parser)
-    parser.add_argument("folder", metavar="FOLDER", help="new folder for them")
+    parser.add_argument("folder", metavar="FOLDER", help="where to copy them, for instance scenes")
 
 
 def run(options):
     """Copy them, whole or not at all, and print a command that stylizes one.
 
+    In a folder that has them already, files that are missing are copied and all others stay.
+
     Raises
     ------
     InputError
-        If the folder is there already or cannot be made, or the scenes are not installed.
+        If the folder holds other files or cannot be made, or the scenes are not installed.
     """
     folder, place = Path(options.folder), real_path(options.folder)
-    if place.exists():
-        raise InputError(f"{folder}: exists; name a new folder")
     try:
         from data_gen import guides
     except ModuleNotFoundError:
         raise InputError("the scenes are not installed with this package") from None
-    _copy_whole(Path(guides.__file__).with_name("bundled"), folder, place)
+    bundled = Path(guides.__file__).with_name("bundled")
+    if not place.exists():
+        _copy_whole(bundled, folder, place)
+    elif (place / _MANIFEST).is_file() or (place.is_dir() and not any(place.iterdir())):
+        _complete(bundled, folder, place)
+    else:
+        raise InputError(f"{folder}: holds other files; name a new folder")
     print(_command(folder, guides.LIGHT_PASSES))
 
 
@@ -61,9 +69,27 @@ def _copy_whole(bundled, folder, place):
         raise InputError(f"{folder}: cannot be written: {error.strerror}") from None
 
 
+def _complete(bundled, folder, place):
+    """Copy what is missing, the manifest first: by it a later call knows the folder."""
+    try:
+        for file in sorted(_files(bundled), key=lambda file: file.name != _MANIFEST):
+            copy = place / file.relative_to(bundled)
+            if not copy.exists():
+                copy.parent.mkdir(parents=True, exist_ok=True)
+                with temporary_name(copy) as partial:
+                    shutil.copyfile(file, partial)
+                    partial.rename(copy)
+    except OSError as error:
+        raise InputError(f"{folder}: cannot be written: {error.strerror}") from None
+
+
 def _copy(folder, copy):
     """Copy all files; unlike shutil's copy, it ends at the first that fails."""
-    for file in filter(Path.is_file, folder.rglob("*")):
+    for file in _files(folder):
         place = copy / file.relative_to(folder)
         place.parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(file, place)
+
+
+def _files(folder):
+    return filter(Path.is_file, folder.rglob("*"))

@@ -31,18 +31,25 @@ class ImagesIn(NamedTuple):
 
 def add_input_options(group):
     """Add the options that name them."""
-    group.add_argument("--style", required=True, metavar="IMAGE", help="style exemplar")
+    group.add_argument("--style", required=True, metavar="IMAGE", help="the painting")
     group.add_argument(
         "--guide", nargs=2, action="append", required=True, metavar=("SOURCE", "TARGET"),
-        help="a render pass of the exemplar's scene and of the target; repeat for each",
+        help="a render pass of what was painted, and the same pass of the target; repeat --guide "
+        "for each pass",
     )  # fmt: skip
     group.add_argument(
         "--weight", type=float, action=_Weigh, dest="guide_weights", default={}, metavar="W",
-        help="weight of the guide before it among all guides (default 1)",
+        help="how much the --guide before it counts, against 1 for the others",
     )  # fmt: skip
-    group.add_argument("--mask", metavar="IMAGE", help="target pixels to leave alone (white)")
+
+
+def add_mask_options(group):
+    """Add the options that leave a part of the target alone."""
     group.add_argument(
-        "--fill", metavar="IMAGE", help="what masked pixels show (default: transparent)"
+        "--mask", metavar="IMAGE", help="leave the pixels of the target alone that are white here"
+    )
+    group.add_argument(
+        "--fill", metavar="IMAGE", help="show this image there (default: transparent)"
     )
 
 

@@ -12,15 +12,25 @@ from stylit_ref.files.write_image import check_image_writable, write_image
 _LEVEL, _GUIDE_MAP = "level_{}.png", "guide_map_{}.png"
 
 
-def add_output_options(group):
-    """Add the options that name them."""
-    group.add_argument("--output", required=True, metavar="IMAGE", help="stylized image to write")
-    group.add_argument("--nnf", metavar="FILE.npy", help="write the nearest-neighbour field")
+def add_output_option(group):
+    """Add the option that names the picture."""
     group.add_argument(
-        "--save-levels",
-        metavar="DIR",
-        help="write the image of every level, 1 the coarsest; for guide_map also the maps",
-    )
+        "--output", required=True, metavar="IMAGE",
+        help="the picture to write; its suffix chooses the format (.png, .tif, .exr, ...)",
+    )  # fmt: skip
+
+
+def add_other_outputs(group):
+    """Add the options that name what else a run can write."""
+    group.add_argument(
+        "--nnf", metavar="FILE.npy",
+        help="write where every pixel came from, for 'stylit-ref replay'",
+    )  # fmt: skip
+    group.add_argument(
+        "--save-levels", metavar="DIR",
+        help="write the picture of every pyramid level into this folder, level_1.png the "
+        "coarsest; with --method guide_map the maps too",
+    )  # fmt: skip
 
 
 def check_outputs(options, params, images):
@@ -53,9 +63,7 @@ def check_outputs(options, params, images):
 def save_level(options, level, image):
     """Write the image of a level, where ``--save-levels`` asks for it."""
     if options.save_levels:
-        folder = Path(options.save_levels)
-        folder.mkdir(parents=True, exist_ok=True)
-        write_image(folder / _LEVEL.format(level), image)
+        write_image(Path(options.save_levels) / _LEVEL.format(level), image)
 
 
 def write_result(options, result):

@@ -18,30 +18,52 @@ _OTHERS = "method", "guide_weights"
 """Parameters whose options are made by hand: ``--weight`` stands beside its guide."""
 
 
-def add_method_options(parser):
-    """Add ``--method`` and an option for every parameter, None where it is not given."""
-    method = parser.add_argument_group("method (defaults of the thesis)")
+def add_method(group):
+    """Add ``--method``."""
     texts = "; ".join(f"{name}, {offer.text}" for name, offer in OFFERS.items())
-    method.add_argument(
-        "--method", default=next(iter(OFFERS)), help=f"{texts} (default %(default)s)"
-    )
+    group.add_argument(
+        "--method", default=next(iter(OFFERS)), metavar="NAME",
+        help=f"{texts} (default %(default)s)",
+    )  # fmt: skip
+
+
+def add_preset(group):
+    """Add ``--preset``."""
+    presets = dict.fromkeys(name for offer in OFFERS.values() for name in offer.presets)
+    group.add_argument(
+        "--preset", choices=presets, default=next(iter(presets)),
+        help="fast for a preview, thesis for the thesis' effort: 13 times the time, close to the "
+        "eye (default %(default)s)",
+    )  # fmt: skip
+
+
+def add_parameters(group, names=None, without=()):
+    """Add an option for each parameter, None where it is not given.
+
+    Parameters
+    ----------
+    group : argparse._ArgumentGroup
+    names : collection of str, optional
+        Parameters to add; all by default.
+    without : collection of str
+        Those to leave out.
+    """
     for each in _parameters():
-        method.add_argument(
+        if each.name in without or (names is not None and each.name not in names):
+            continue
+        group.add_argument(
             SPELLED.get(each.name, f"--{each.name.replace('_', '-')}"),
             dest=each.name,
             type=_parsed(each.metadata["kind"]),
-            help=f"{each.metadata['text']} "
-            f"(default {'none' if each.default is None else each.default})",
+            metavar=each.metadata["kind"].placeholder,
+            help=f"{each.metadata['text']} (default {_default(each)})",
         )
-    presets = dict.fromkeys(name for offer in OFFERS.values() for name in offer.presets)
-    method.add_argument(
-        "--preset", choices=presets, default=next(iter(presets)),
-        help="effort where the options above do not say: thesis, or fast, as for a preview "
-        "(default %(default)s)",
-    )  # fmt: skip
-    method.add_argument(
-        "--seed", type=int, default=0, help="same seed, same result (default %(default)s)"
-    )
+
+
+def _default(field):
+    if field.default is None:
+        return "none"
+    return f"{field.default:g}" if isinstance(field.default, float) else field.default
 
 
 def _parameters():
@@ -69,7 +91,7 @@ def chosen_params(options):
     Parameters
     ----------
     options : argparse.Namespace
-        Of :func:`add_method_options`, and ``guide``, ``guide_weights``.
+        Of the functions above, ``--preset`` among them; and of the images, if the command has any.
 
     Returns
     -------
@@ -82,7 +104,7 @@ def chosen_params(options):
         If a value is out of range, or for another method.
     """
     offer = offer_of(options.method)
-    given = {each.name: getattr(options, each.name) for each in _parameters()}
+    given = {each.name: getattr(options, each.name, None) for each in _parameters()}
     chosen = {name: value for name, value in given.items() if value is not None}
     for name in chosen:
         if name not in offer.heeds:
@@ -91,13 +113,16 @@ def chosen_params(options):
                 f"is for --method {', '.join(methods)}; the method is {options.method}",
                 parameter=name,
             )
-    if options.preset not in offer.presets:
-        raise InputError(
-            f"is {options.preset}, which is not for method {options.method}", parameter="preset"
+    values = chosen | {"method": options.method}
+    if "preset" in options:
+        if options.preset not in offer.presets:
+            raise InputError(
+                f"is {options.preset}, which is not for method {options.method}", parameter="preset"
+            )
+        values = offer.presets[options.preset] | values
+    if "guide" in options:
+        values["guide_weights"] = tuple(
+            options.guide_weights.get(k, 1.0) for k in range(len(options.guide))
         )
-    values = offer.presets[options.preset] | chosen | {"method": options.method}
-    values["guide_weights"] = tuple(
-        options.guide_weights.get(k, 1.0) for k in range(len(options.guide))
-    )
     names = {each.name for each in fields(offer.params)}
     return offer.params(**{name: value for name, value in values.items() if name in names})

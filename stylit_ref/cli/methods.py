@@ -8,6 +8,7 @@ from stylit_ref.errors import InputError
 from stylit_ref.stylization.methods import METHODS, heeded_by
 from stylit_ref.stylization.params import PRESETS, Params
 from stylit_ref.stylization.stylize import stylize
+from stylit_ref.stylization.warm_up import kernels_of_run
 
 
 class Offer(NamedTuple):
@@ -25,6 +26,8 @@ class Offer(NamedTuple):
         Values of them by the name that ``--preset`` takes.
     run : callable
         Called as :func:`stylit_ref.stylize`.
+    kernels : callable
+        Called as :func:`stylit_ref.stylization.warm_up.kernels_of_run`.
     """
 
     text: str
@@ -32,12 +35,13 @@ class Offer(NamedTuple):
     heeds: tuple[str, ...]
     presets: dict[str, dict]
     run: Callable
+    kernels: Callable
 
 
 def _stylization(method):
     names = [each.name for each in fields(Params)]
     heeds = [name for name in names if method.name in (heeded_by(name) or METHODS)]
-    return Offer(method.text, Params, tuple(heeds), PRESETS, stylize)
+    return Offer(method.text, Params, tuple(heeds), PRESETS, stylize, kernels_of_run)
 
 
 OFFERS = {name: _stylization(method) for name, method in METHODS.items()}

@@ -9,7 +9,6 @@ def add_parser(commands):
         "oracle",
         help="check a port of the algorithm against test vectors",
         description="Check a port of the algorithm against test vectors of every stage.",
-        allow_abbrev=False,
     )
     try:
         from oracle.command import add_commands

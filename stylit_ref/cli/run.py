@@ -3,49 +3,83 @@
 import sys
 import warnings
 from functools import partial
+from time import perf_counter
 
-from stylit_ref.cli.images_in import add_input_options, read_images
+from stylit_ref.cli.finished import tell_finished
+from stylit_ref.cli.images_in import add_input_options, add_mask_options, read_images
 from stylit_ref.cli.images_out import (
-    add_output_options,
+    add_other_outputs,
+    add_output_option,
     check_outputs,
     save_level,
     write_result,
 )
-from stylit_ref.cli.method_options import add_method_options, chosen_params
+from stylit_ref.cli.method_options import add_method, add_parameters, add_preset, chosen_params
 from stylit_ref.cli.methods import offer_of
 from stylit_ref.cli.progress_line import progress_line
 from stylit_ref.machine.profiling import Profile
 from stylit_ref.stylization.backends import BACKENDS
 from stylit_ref.stylization.checks import FewerLevelsWarning
 
+_USAGE = "%(prog)s --style IMAGE --guide SOURCE TARGET [--guide ...] --output IMAGE [options]"
+
+_DESCRIPTION = """\
+Stylize a rendering as a painted example shows: you paint over the render of a simple scene, and the
+picture of another scene follows. For instance, a preview:
+
+  stylit-ref run --preset fast --style painted_sphere.png \\
+      --guide sphere_full.png scene_full.png --guide sphere_shadow.png scene_shadow.png \\
+      --output stylized.png
+
+Images may be PNG, TIFF, JPEG, EXR and others; FILE.exr:LAYER names a layer of an EXR file."""
+
+_EVERYDAY = ("uniformity",)
+"""Parameters that an artist tries first."""
+
 
 def add_parser(commands):
     """Add the command."""
     parser = commands.add_parser(
         "run",
-        help="stylize a target as a style exemplar shows",
-        description="Stylize a target as a style exemplar shows. Images may be PNG, TIFF, JPEG, "
-        "EXR and others; FILE.exr:LAYER names a layer of a multilayer EXR.",
-        allow_abbrev=False,
+        help="stylize a rendering as a painted example shows",
+        usage=_USAGE,
+        description=_DESCRIPTION,
     )
     parser.set_defaults(command=run, parser=parser)
-    images = parser.add_argument_group("images")
-    add_input_options(images)
-    add_output_options(images)
-    add_method_options(parser)
-    parser.add_argument(
-        "--backend", choices=BACKENDS, default="cpu",
-        help="cpu; cuda for a GPU, cuda:shared_memory, cuda:live or cuda:live_sums for one of the "
-        "thesis' other ways; auto for a GPU if there is one (default %(default)s)",
+    everyday = parser.add_argument_group("everyday options")
+    add_input_options(everyday)
+    add_output_option(everyday)
+    add_preset(everyday)
+    add_method(everyday)
+    add_parameters(everyday, _EVERYDAY)
+    add_mask_options(everyday)
+    everyday.add_argument(
+        "--seed", type=int, default=0, metavar="N",
+        help="another number gives another variant, the same one the same bytes "
+        "(default %(default)s)",
     )  # fmt: skip
-    parser.add_argument("--threads", type=int, help="threads to use (default: all)")
-    parser.add_argument("--quiet", action="store_true", help="no progress bar")
-    parser.add_argument("--profile", action="store_true", help="print where the time went")
+    everyday.add_argument("--quiet", action="store_true", help="say nothing but what is wrong")
+
+    add_parameters(parser.add_argument_group("the method in detail"), without=_EVERYDAY)
+    add_other_outputs(parser.add_argument_group("other files to write"))
+    machine = parser.add_argument_group("the machine")
+    machine.add_argument("--threads", type=int, metavar="N", help="threads to use (default: all)")
+    machine.add_argument(
+        "--backend", choices=BACKENDS, default="cpu", metavar="NAME",
+        help=f"where to compute: {', '.join(BACKENDS)}; auto takes a GPU if there is one, cuda:... "
+        "are other ways to use it, for measurements (default %(default)s)",
+    )  # fmt: skip
+    machine.add_argument(
+        "--verbose", action="store_true",
+        help="tell the energy φ = δ + λρ beside the progress",
+    )  # fmt: skip
+    machine.add_argument("--profile", action="store_true", help="print where the time went")
 
 
 def run(options):
     """Read, stylize, write; all is checked before the work starts."""
-    params = chosen_params(options)
+    start = perf_counter()
+    params, offer = chosen_params(options), offer_of(options.method)
     profile = Profile()
     with profile.stage("reading images"):
         images = read_images(options)
@@ -54,8 +88,8 @@ def run(options):
         warnings.warn(f"{options.mask}: no pixel is white, so none is left alone", stacklevel=2)
     if options.levels is None:  # nobody asked for levels, so fewer of them are no news
         warnings.simplefilter("ignore", FewerLevelsWarning)
-    with progress_line(options.quiet) as show:
-        result = offer_of(options.method).run(
+    with progress_line(options.quiet, options.verbose) as line:
+        result = offer.run(
             images.style,
             images.source_guides,
             images.target_guides,
@@ -65,7 +99,8 @@ def run(options):
             fill=images.fill,
             backend=options.backend,
             threads=options.threads,
-            progress=show,
+            compiling=line.compiling,
+            progress=line.step,
             on_level=partial(save_level, options),
             profile=profile,
         )
@@ -73,3 +108,6 @@ def run(options):
         write_result(options, result)
     if options.profile:
         print(*profile.table(), sep="\n", file=sys.stderr)
+    if not options.quiet:
+        others = filter(None, (options.nnf, options.save_levels))
+        tell_finished(options.output, result.image, perf_counter() - start, *others)

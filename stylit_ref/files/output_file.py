@@ -3,7 +3,7 @@
 import os
 import secrets
 import shutil
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from stylit_ref.errors import InputError
@@ -31,7 +31,7 @@ def real_path(path):
 
 
 def check_writable(path):
-    """Refuse a path where no file can be written.
+    """Refuse a path where no file can be written. Its folder need not exist.
 
     Raises
     ------
@@ -39,7 +39,8 @@ def check_writable(path):
     """
     place = real_path(path)
     if not place.parent.is_dir():
-        raise InputError(f"{path}: the folder {place.parent} does not exist")
+        check_folder(place.parent)
+        return
     if place.is_dir():
         raise InputError(f"{path}: is a folder; name a file")
     check_regular(path)
@@ -59,29 +60,53 @@ def check_regular(path):
 
 
 def check_folder(folder):
-    """Refuse a folder that neither exists nor can be made.
-
-    The check makes the folder and removes it again.
+    """Refuse a folder that cannot be written, or neither exists nor can be made.
 
     Raises
     ------
     InputError
     """
+    with folder_for_a_check(folder):
+        if not os.access(folder, os.W_OK):
+            raise InputError(f"{folder}: cannot be written: permission denied")
+
+
+@contextmanager
+def folder_for_a_check(folder):
+    """Make a folder, and those it lies in, while the block runs; remove what was made.
+
+    Raises
+    ------
+    InputError
+        If it cannot be made.
+    """
+    made = _make_folder(folder)
+    try:
+        yield
+    finally:
+        _remove_folders(made)
+
+
+def _make_folder(folder):
+    """Make a folder and those it lies in; returns what was made, the innermost first."""
     folder, made = Path(folder), []
     try:
         missing = [part for part in (folder, *folder.absolute().parents) if not part.exists()]
         for part in reversed(missing):
-            part.mkdir()
-            made.append(part)
-        if not folder.is_dir():
-            raise InputError(f"{folder}: is a file; name a folder")
-        if not os.access(folder, os.W_OK):
-            raise InputError(f"{folder}: cannot be written: permission denied")
+            part.mkdir(exist_ok=True)
+            made.insert(0, part)
     except OSError as error:
+        _remove_folders(made)
         raise InputError(f"{folder}: the folder cannot be made: {error.strerror}") from None
-    finally:
-        for part in reversed(made):
-            part.rmdir()
+    if not folder.is_dir():
+        raise InputError(f"{folder}: is a file; name a folder")
+    return made
+
+
+def _remove_folders(folders):
+    for folder in folders:
+        with suppress(OSError):  # another program has put something there
+            folder.rmdir()
 
 
 @contextmanager
@@ -123,7 +148,8 @@ def check_distinct(outputs, inputs=()):
 def whole_file(path, size):
     """Write to a temporary name, which becomes ``path`` when the block succeeds.
 
-    If the block fails, no partial file is left. A link is followed.
+    If the block fails, no partial file is left, nor a folder that was made for it. A link is
+    followed.
 
     Parameters
     ----------
@@ -138,6 +164,7 @@ def whole_file(path, size):
         If the disk has too little space, or the file cannot be written.
     """
     path, place = Path(path), real_path(path)
+    made = _make_folder(place.parent)
     try:
         free = shutil.disk_usage(place.parent).free
         if free < size:
@@ -148,8 +175,11 @@ def whole_file(path, size):
         with temporary_name(place) as partial:
             yield partial
             os.replace(partial, place)
-    except OSError as error:
-        raise InputError(f"{path}: cannot be written: {error.strerror or error}") from error
+    except BaseException as error:
+        _remove_folders(made)
+        if isinstance(error, OSError):
+            raise InputError(f"{path}: cannot be written: {error.strerror or error}") from error
+        raise
 
 
 def write_text(path, text):

@@ -9,7 +9,13 @@ from stylit_ref.arrays import as_array
 from stylit_ref.errors import InputError
 from stylit_ref.files.bit_depth import to_linear, to_uint8
 from stylit_ref.files.image_file import read_pixels, reason_of
-from stylit_ref.files.output_file import check_writable, real_path, temporary_name, whole_file
+from stylit_ref.files.output_file import (
+    check_writable,
+    folder_for_a_check,
+    real_path,
+    temporary_name,
+    whole_file,
+)
 
 FLOAT_FORMATS = (".exr", ".hdr", ".pfm")
 """Suffixes of formats that store scene-linear floating point."""
@@ -100,7 +106,8 @@ def check_image_writable(path: str | Path, channels: int):
             "use .png, .tif or .exr"
         )
     check_writable(path)
-    with temporary_name(real_path(path)) as probe:
+    place = real_path(path)
+    with folder_for_a_check(place.parent), temporary_name(place) as probe:
         if not output.open(str(probe), oiio.ImageSpec(1, 1, channels, "uint8")):
             raise InputError(f"{path}: cannot be written: {reason_of(output.geterror())}")
         output.write_image(np.zeros((1, 1, channels), np.uint8))

@@ -1,10 +1,11 @@
 """Loops over whole arrays, compiled when they are first called."""
 
 import inspect
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from contextvars import ContextVar
 from functools import wraps
+from pathlib import Path
 from typing import NamedTuple, ParamSpec
 
 from numba import njit, types
@@ -40,9 +41,35 @@ class Specialization(NamedTuple):
             and self.dispatcher._cache.holds(self.types)
         )
 
-    def compile(self) -> None:
-        """Compile it, or load it from disk."""
-        self.dispatcher.compile(self.types)
+    @property
+    def folder(self) -> Path | None:
+        """Where it is kept, None where no folder can be written."""
+        cache = self.dispatcher._cache
+        return Path(cache.cache_path) if isinstance(cache, KernelCache) else None
+
+
+def compile_missing(
+    kernels: Iterable[Specialization], progress: Callable[[int, int], None] | None = None
+) -> int:
+    """Compile those kernels that neither this process nor the disk has.
+
+    Parameters
+    ----------
+    kernels : iterable of Specialization
+    progress : callable, optional
+        Called with a kernel's number, from 1, and how many there are to compile, before each.
+
+    Returns
+    -------
+    int
+        How many were compiled.
+    """
+    missing = [each for each in kernels if not each.is_compiled]
+    for number, each in enumerate(missing, 1):
+        if progress:
+            progress(number, len(missing))
+        each.dispatcher.compile(each.types)
+    return len(missing)
 
 
 _REHEARSED: ContextVar[dict[Specialization, None] | None] = ContextVar("rehearsed", default=None)

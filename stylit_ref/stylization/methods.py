@@ -48,7 +48,7 @@ METHODS = {
     for method in (
         Method(
             "ref",
-            "as in the thesis",
+            "uses all of the painting evenly, as in the thesis",
             schedules.search,
             heeds=("uniformity",),
             schedules=("propose_commit", "scanline"),
@@ -56,14 +56,14 @@ METHODS = {
         ),
         Method(
             "guide_map",
-            "its approximation",
+            "the same, approximated where guides hardly vary",
             schedules.search,
             heeds=("uniformity", "epsilon"),
             has_guide_map=True,
         ),
         Method(
             "stylit",
-            "by an error budget",
+            "keeps more of the painting's detail, in five times the time",
             stylit.search,
             heeds=("budget", "fixed_share", "error_limit"),
             gpu_backends=(),

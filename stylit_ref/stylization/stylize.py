@@ -1,7 +1,7 @@
 """``stylize``: from images to a stylized image in one call."""
 
 from collections.abc import Callable, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass
 from numbers import Integral
 
@@ -12,11 +12,12 @@ from stylit_ref.arrays import as_array
 from stylit_ref.errors import InputError
 from stylit_ref.machine.profiling import Profile
 from stylit_ref.metric.packing import ONE
-from stylit_ref.stylization.backends import find_backend
+from stylit_ref.stylization.backends import CPU, find_backend
 from stylit_ref.stylization.mask import fill_masked
 from stylit_ref.stylization.params import Params
 from stylit_ref.stylization.problem import make_synthesis
 from stylit_ref.stylization.progress import Step
+from stylit_ref.stylization.warm_up import warm_up
 
 
 @dataclass(frozen=True)
@@ -60,6 +61,7 @@ def stylize(
     fill: np.ndarray | None = None,
     backend: str = "cpu",
     threads: int | None = None,
+    compiling: Callable[[int, int], None] | None = None,
     progress: Callable[[Step], None] | None = None,
     on_level: Callable[[int, np.ndarray], None] | None = None,
     profile: Profile | None = None,
@@ -92,6 +94,10 @@ def stylize(
         3.3, and no two of their runs are the same.
     threads : int, optional
         Threads to use; all by default.
+    compiling : callable, optional
+        Called before each kernel that is compiled, with its number, from 1, and how many there are
+        to compile. All are then compiled before the first step; without it, each when it is first
+        called. Kernels of a GPU are not told.
     progress : callable, optional
         Called with a :class:`Step` after every PatchMatch iteration or retrieval.
     on_level : callable, optional
@@ -110,6 +116,7 @@ def stylize(
     """
     params = params or Params()
     found = find_backend(backend, params)
+    on_cpu = found is CPU
     if profile:
         found = found._replace(passes=profile.passes(found.passes))
     history, guide_maps = [], []
@@ -118,6 +125,15 @@ def stylize(
             style, source_guides, target_guides, params,
             seed=seed, mask=mask, fill=fill, backend=found,
         )  # fmt: skip
+        if compiling and on_cpu:
+            packing = synthesis.exemplar.packing
+            with profile.stage("looking for kernels") if profile else nullcontext():
+                warm_up(
+                    params,
+                    style_channels=packing.style_channels,
+                    guide_channels=packing.guide_sizes,
+                    progress=compiling,
+                )
         download = found.passes.download
         for number in synthesis.level_numbers:
             for step in synthesis.run_level(number):

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from stylit_ref import passes
-from stylit_ref.machine.kernel import Specialization, rehearsal
+from stylit_ref.machine.kernel import Specialization, compile_missing, rehearsal
 from stylit_ref.machine.replaced import replaced
 from stylit_ref.stylization.backends import CPU
 from stylit_ref.stylization.params import Params
@@ -50,16 +50,8 @@ def warm_up(
     InputError
         If the parameters and channels do not fit together.
     """
-    missing = [
-        each
-        for each in kernels_of_run(params or Params(), style_channels, guide_channels)
-        if not each.is_compiled
-    ]
-    for number, each in enumerate(missing, 1):
-        if progress:
-            progress(number, len(missing))
-        each.compile()
-    return len(missing)
+    needed = kernels_of_run(params or Params(), style_channels, guide_channels)
+    return compile_missing(needed, progress)
 
 
 def kernels_of_run(

@@ -19,6 +19,29 @@ def test_the_example_can_be_stylized(tmp_path, monkeypatch, capsys):
     assert [file.name for file in tmp_path.iterdir()] == ["some scenes"]
 
 
-def test_an_example_replaces_nothing(tmp_path, capsys):
+def files_of(folder):
+    return {file: file.read_bytes() for file in folder.rglob("*") if file.is_file()}
+
+
+def test_an_example_again_completes_and_replaces_nothing(tmp_path, capsys):
+    folder = tmp_path / "scenes"
+    assert main(["example", str(folder)]) == 0
+    printed = capsys.readouterr().out
+    (folder / "source" / "styles" / "oil.png").write_bytes(b"painted over")
+    before = files_of(folder)
+    (folder / "teapot" / "FULL.png").unlink()
+    assert main(["example", str(folder)]) == 0
+    assert capsys.readouterr().out == printed
+    assert files_of(folder) == before
+
+
+def test_an_example_in_an_empty_folder(tmp_path):
+    assert main(["example", str(tmp_path)]) == 0
+    assert (tmp_path / "teapot" / "FULL.png").exists()
+
+
+def test_an_example_among_other_files_is_refused(tmp_path, capsys):
+    (tmp_path / "thesis.tex").touch()
     assert main(["example", str(tmp_path)]) == 2
-    assert f"{tmp_path}: exists; name a new folder" in capsys.readouterr().err
+    assert f"{tmp_path}: holds other files; name a new folder" in capsys.readouterr().err
+    assert [file.name for file in tmp_path.iterdir()] == ["thesis.tex"]

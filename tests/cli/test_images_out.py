@@ -29,9 +29,9 @@ class TestRefusals:
     @pytest.mark.parametrize(
         ("option", "value", "message"),
         [
-            ("--output", "none/out.png", "does not exist"),
+            ("--output", "style.png/out.png", "style.png: is a file; name a folder"),
             ("--output", "out.docx", "'.docx'"),
-            ("--nnf", "none/nnf.npy", "does not exist"),
+            ("--nnf", "style.png/deep/nnf.npy", "deep: the folder cannot be made"),
             ("--nnf", "nnf.txt", "must end in .npy"),
             ("--save-levels", "style.png", "style.png: is a file; name a folder"),
             ("--save-levels", "style.png/deep", "deep: the folder cannot be made"),

@@ -1,5 +1,7 @@
 """What holds for every command: exit codes, and refusals that name what was typed."""
 
+import logging
+import warnings
 from dataclasses import fields
 
 import numpy as np
@@ -7,8 +9,9 @@ import pytest
 from cli.calls import refused, run
 
 from stylit_ref import InputError, Params, write_image
-from stylit_ref.cli import COMMANDS, main
+from stylit_ref.cli import COMMANDS, main, make_parser
 from stylit_ref.cli.methods import OFFERS
+from stylit_ref.cli.notes import notes_on_stderr
 from stylit_ref.cli.parser import Parser
 
 PARAMETERS = {
@@ -91,8 +94,26 @@ def test_a_note_is_one_line(scene, capsys):
     write_image(folder / "my\rmask.png", np.zeros((38, 44, 1), np.uint8))
     assert run(folder, "--mask", folder / "my\rmask.png") == 0
     said = capsys.readouterr().err
-    assert said.startswith("note: ")
-    assert said.endswith("my mask.png: no pixel is white, so none is left alone\n")
+    note, wrote = said.splitlines()
+    assert note.startswith("note: ")
+    assert note.endswith("my mask.png: no pixel is white, so none is left alone")
+    assert wrote.startswith("wrote ")
+
+
+def test_a_note_comes_once(capsys):
+    with notes_on_stderr():
+        for text in ("odd", "odd", "even"):
+            logging.getLogger("stylit_ref.somewhere").info(text)
+            warnings.warn(text, stacklevel=1)
+    assert capsys.readouterr().err == "note: odd\nnote: even\n"
+
+
+def test_without_a_command_there_is_help(capsys):
+    assert main([]) == 2
+    printed = capsys.readouterr()
+    assert "stylit-ref example scenes" in printed.out
+    assert all(f"\n    {name} " in printed.out for name in make_parser().commands)
+    assert printed.err == ""
 
 
 @pytest.mark.parametrize(
@@ -109,9 +130,3 @@ def test_a_part_that_is_not_installed(
     hidden(missing)
     assert said in refused(capsys, main(command.split()))
     assert not list(tmp_path.iterdir())
-
-
-def test_without_kernels_the_doctor_says_so(capsys, hidden):
-    hidden("gpu_cuda")
-    assert main(["doctor"]) == 0
-    assert "none: the kernels cannot be loaded: " in capsys.readouterr().out

@@ -6,7 +6,7 @@ import pytest
 from cli.calls import refused, run
 
 from stylit_ref import PRESETS, InputError, Params
-from stylit_ref.cli import _parser, main
+from stylit_ref.cli import main, make_parser
 from stylit_ref.cli.method_options import chosen_params
 from stylit_ref.cli.methods import OFFERS, Offer
 from stylit_ref.parameters import Integer, check_fields, parameter
@@ -136,10 +136,10 @@ class Sparse:
 
 
 def test_a_method_with_parameters_of_its_own(monkeypatch, capsys):
-    offer = Offer("on a grid", Sparse, ("grid", "levels"), {"quick": {"grid": 2}}, None)
+    offer = Offer("on a grid", Sparse, ("grid", "levels"), {"quick": {"grid": 2}}, None, None)
     monkeypatch.setitem(OFFERS, "sparse", offer)
     call = ["run", "--style", "s", "--guide", "a", "b", "--output", "o", "--method", "sparse"]
-    parser = _parser()
+    parser = make_parser()
     options = parser.parse_args([*call, "--preset", "quick", "--pyramid-levels", "5"])
     assert chosen_params(options) == Sparse(grid=2, levels=5)
     assert main([*call, "--preset", "quick", "--uniformity", "5"]) == 2

@@ -43,8 +43,10 @@ def test_half_a_file_is_refused(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("name", "message"), [("nnf.txt", "must end in .npy"), ("none/nnf.npy", "does not exist")]
+    ("name", "message"),
+    [("nnf.txt", "must end in .npy"), ("file/nnf.npy", "is a file; name a folder")],
 )
 def test_unwritable_outputs_are_refused_early(tmp_path, name, message):
+    (tmp_path / "file").touch()
     with pytest.raises(InputError, match=message):
         check_nnf_writable(tmp_path / name)

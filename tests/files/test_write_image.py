@@ -7,6 +7,7 @@ import OpenImageIO as oiio
 import pytest
 
 from stylit_ref import InputError, read_image, read_uint8, write_image
+from stylit_ref.files.output_file import whole_file
 from stylit_ref.files.write_image import check_image_writable
 
 
@@ -80,7 +81,7 @@ def test_a_format_that_cannot_hold_the_image_is_refused_early(tmp_path, image):
 @pytest.mark.parametrize(
     ("name", "message"),
     [
-        ("none/a.png", "folder .*none does not exist"),
+        ("a_file/a.png", "a_file: is a file; name a folder"),
         ("a.xyz", "no image format has the suffix '.xyz'"),
         ("a", "suffix ''"),
         ("a.gif", "256 colours"),
@@ -89,9 +90,24 @@ def test_a_format_that_cannot_hold_the_image_is_refused_early(tmp_path, image):
 )
 def test_unwritable_outputs(tmp_path, image, name, message):
     (tmp_path / "taken.png").mkdir()
+    (tmp_path / "a_file").touch()
     with pytest.raises(InputError, match=message):
         write_image(tmp_path / name, image)
-    assert [file.name for file in tmp_path.iterdir()] == ["taken.png"]
+    assert sorted(file.name for file in tmp_path.iterdir()) == ["a_file", "taken.png"]
+
+
+def test_folders_are_made(tmp_path, image):
+    file = tmp_path / "new" / "deep" / "a.png"
+    check_image_writable(file, 1)
+    assert not list(tmp_path.iterdir())
+    write_image(file, image)
+    assert read_image(file).shape[:2] == image.shape[:2]
+
+
+def test_a_folder_made_for_a_file_that_fails_is_removed(tmp_path):
+    with pytest.raises(InputError, match="may need"), whole_file(tmp_path / "a" / "b", 1 << 60):
+        pass
+    assert not list(tmp_path.iterdir())
 
 
 def test_jpeg_has_no_alpha(tmp_path, image):

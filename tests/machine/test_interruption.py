@@ -5,9 +5,12 @@ import time
 from pathlib import Path
 
 import numba
+import numpy as np
 import pytest
+from numba.core import event
 
-from stylit_ref.machine.interruption import heed_interruptions
+from stylit_ref.machine.interruption import heed_interruptions, heed_waiting
+from stylit_ref.machine.kernel import compile_missing, kernel, rehearsal
 
 SIGNALS = signal.SIGINT, signal.SIGTERM
 
@@ -44,3 +47,49 @@ def test_a_signal_that_a_shell_ignores_stays_ignored():
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     heed_interruptions()
     signal.raise_signal(signal.SIGINT)
+
+
+def test_a_signal_that_waits_strikes_between_two_kernels_and_once():
+    names = {"strike": lambda: signal.raise_signal(signal.SIGINT)}
+    source = "def compiling():\n    strike()"
+    exec(compile(source, str(Path(numba.__file__).with_name("compiler.py")), "exec"), names)
+    names["compiling"]()
+    with pytest.raises(KeyboardInterrupt):
+        heed_waiting()
+    heed_waiting()
+    time.sleep(0.2)  # a second interruption would strike here
+
+
+def test_nothing_waits_when_nothing_struck():
+    heed_waiting()
+
+
+class Strike(event.Listener):
+    """Sends a signal whenever a kernel begins to be compiled."""
+
+    def on_start(self, event):
+        signal.raise_signal(signal.SIGINT)
+
+    def on_end(self, event):
+        pass
+
+
+def test_an_interruption_waits_for_one_kernel_and_not_for_the_next(tmp_path, monkeypatch):
+    monkeypatch.setattr(numba.config, "CACHE_DIR", str(tmp_path))
+
+    @kernel(1, parallel=False)
+    def first(array):
+        array[0] = 1
+
+    @kernel(2, parallel=False)
+    def second(array):
+        array[0] = 2
+
+    with rehearsal() as kernels:
+        first(np.zeros(1))
+        second(np.zeros(1))
+    told = []
+    with event.install_listener("numba:compile", Strike()), pytest.raises(KeyboardInterrupt):
+        compile_missing(kernels, lambda *step: told.append(step))
+    assert told == [(1, 2)]
+    assert [each.is_compiled for each in kernels] == [True, False]

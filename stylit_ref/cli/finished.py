@@ -1,0 +1,19 @@
+"""What a command says when it is done."""
+
+import sys
+
+
+def tell_finished(path, image, seconds, *others):
+    """Say on stderr which picture was written, its size, and how long that took.
+
+    Parameters
+    ----------
+    path : str
+    image : (H, W, ...) array
+    seconds : float
+    *others : str
+        What else was written.
+    """
+    height, width = image.shape[:2]
+    beside = "".join(f", {other}" for other in others)
+    print(f"wrote {path} ({width}x{height}){beside} in {seconds:.1f} s", file=sys.stderr)

@@ -1,0 +1,52 @@
+"""``stylit-ref warm-up``: compile kernels before the first run."""
+
+import sys
+from time import perf_counter
+
+from stylit_ref.cli.method_options import add_method, add_parameters, chosen_params
+from stylit_ref.cli.methods import offer_of
+from stylit_ref.cli.progress_line import progress_line
+from stylit_ref.machine.kernel import compile_missing
+from stylit_ref.parameters import Integer, Several
+from stylit_ref.stylization.warm_up import FIVE_GUIDES
+
+_DESCRIPTION = """\
+Compile the kernels of a run ahead and keep them on disk, so that the first picture need not wait
+for them. Runs of the same method, patch size and numbers of channels share them, whatever the size
+of the images. Without options they are those of the picture that 'stylit-ref example' leads to."""
+
+_COMPILED_FOR = "patch_width", "vote_outliers", "schedule"
+"""Parameters that decide which kernels a run calls."""
+
+
+def add_parser(commands):
+    """Add the command."""
+    parser = commands.add_parser(
+        "warm-up", help="compile ahead what a first run would wait for", description=_DESCRIPTION
+    )
+    parser.set_defaults(command=run, parser=parser)
+    add_method(parser)
+    add_parameters(parser, _COMPILED_FOR)
+    parser.add_argument(
+        "--guide-channels", type=Several(Integer(1, 1000), "guide").parse, default=FIVE_GUIDES,
+        metavar="N[,N...]",
+        help="channels of each guide, 3 for one in colour (default: five in colour)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--style-channels", type=int, default=3, metavar="N",
+        help="channels of the painting (default %(default)s)",
+    )  # fmt: skip
+    parser.add_argument("--quiet", action="store_true", help="say nothing but what is wrong")
+
+
+def run(options):
+    """Compile, and say how much there was to do."""
+    params, start = chosen_params(options), perf_counter()
+    with progress_line(options.quiet, verbose=False) as line:
+        needed = offer_of(options.method).kernels(
+            params, options.style_channels, options.guide_channels
+        )
+        count = compile_missing(needed, line.compiling)
+    if not options.quiet:
+        seconds = perf_counter() - start
+        print(f"compiled {count} of {len(needed)} kernels in {seconds:.1f} s", file=sys.stderr)
