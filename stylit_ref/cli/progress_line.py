@@ -26,21 +26,22 @@ class ProgressLine(NamedTuple):
 
     def compiling(self, number, count):
         """Tell which kernel is going to be compiled."""
+        self.bar.set_description_str(f"compiling kernels {number} of {count}, once", refresh=False)
         if number == 1:
             self.bar.bar_format = _COMPILATION
             self.bar.reset(total=count)
         self.bar.n = number - 1
-        self.bar.set_description_str(f"compiling kernels {number} of {count}, once")
+        self.bar.refresh()
 
     def step(self, step):
         """Tell a :class:`stylit_ref.Step`."""
-        if self.bar.total != _WHOLE:  # kernels were compiled: no part of the estimate
-            self.bar.bar_format = _RUN
-            self.bar.reset(total=_WHOLE)
         told = _place(step)
         if self.verbose:
             told += f"  {_energy(step)}"
         self.bar.set_description_str(told, refresh=False)
+        if self.bar.total != _WHOLE:  # kernels were compiled: no part of the estimate
+            self.bar.bar_format = _RUN
+            self.bar.reset(total=_WHOLE)
         self.bar.update(step.done - self.bar.n)
 
 
