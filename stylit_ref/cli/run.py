@@ -16,7 +16,6 @@ from stylit_ref.cli.methods import offer_of
 from stylit_ref.cli.progress_line import progress_line
 from stylit_ref.machine.profiling import Profile
 from stylit_ref.stylization.backends import BACKENDS
-from stylit_ref.stylization.checks import FewerLevelsWarning
 
 
 def add_parser(commands):
@@ -52,8 +51,6 @@ def run(options):
     check_outputs(options, params, images)
     if images.mask is not None and not images.mask.any():
         warnings.warn(f"{options.mask}: no pixel is white, so none is left alone", stacklevel=2)
-    if options.levels is None:  # nobody asked for levels, so fewer of them are no news
-        warnings.simplefilter("ignore", FewerLevelsWarning)
     with progress_line(options.quiet) as show:
         result = offer_of(options.method).run(
             images.style,
