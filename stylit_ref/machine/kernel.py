@@ -17,6 +17,9 @@ from numba import njit
 from numba.core.caching import FunctionCache, IndexDataCacheFile
 
 from stylit_ref.machine.code_digest import code_digest, imported_files
+from stylit_ref.machine.forks import survive_forks
+
+survive_forks()
 
 STARTED = time.time_ns()
 """When this process came to know the code. A file changed later is not the one it runs."""
