@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from stylit_ref.machine.threads import sleep_while_waiting
+from stylit_ref.notes import ONCE
 
 
 def pytest_configure():
@@ -22,6 +23,12 @@ def foreign_data(name):
     if not folder.is_dir():
         pytest.skip(f"{name} is not here (set STYLIT_DATA to the folder that holds it)")
     return folder
+
+
+@pytest.fixture(autouse=True)
+def _nothing_was_noted():
+    """Every test may hear what the ones before it heard."""
+    ONCE.said.clear()
 
 
 @pytest.fixture(scope="session")

@@ -1,14 +1,19 @@
 """The public names of the library: where they come from, and what importing them does not do."""
 
 import ast
+import inspect
 import os
+import re
 import subprocess
 import sys
+from dataclasses import fields
 from pathlib import Path
 
 import pytest
 
 import stylit_ref
+from stylit_ref import Params
+from stylit_ref.cli.method_options import SPELLED
 
 
 def test_every_public_name_is_there():
@@ -66,3 +71,11 @@ def test_importing_the_library_changes_no_setting_of_the_process():
         [sys.executable, "-c", program], capture_output=True, text=True, env=environment
     )
     assert done.returncode == 0, done.stderr
+
+
+@pytest.mark.parametrize(("name", "option"), SPELLED.items())
+def test_a_parameter_and_its_option_name_each_other(name, option):
+    description = re.search(rf"^{name} : .*\n((?: .*\n)+)", inspect.getdoc(Params), re.MULTILINE)
+    assert f"``{option}`` on the command line." in " ".join(description.group(1).split())
+    (text,) = (field.metadata["text"] for field in fields(Params) if field.name == name)
+    assert f"({name} in Python)" in text

@@ -1,14 +1,11 @@
 """A whole level and a whole run: section 13 of SPEC.md, and 15 for StyLit's."""
 
-import warnings
-
 import numpy as np
 
 from oracle.stages.levels import level_of_case
 from oracle.stages.stage import SEARCH, Stage
 from stylit_ref import Params
 from stylit_ref.stylization.backends import Backend
-from stylit_ref.stylization.checks import FewerLevelsWarning
 from stylit_ref.stylization.problem import make_synthesis
 from stylit_ref.stylization.schedules import propose_commit
 
@@ -51,12 +48,10 @@ def _run(passes, parameters, arrays):
         **{name: parameters[name] for name in METHODS_OWN if name in parameters},
     )
     mask = arrays.get("mask", np.zeros(size, bool))
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", FewerLevelsWarning)
-        synthesis = make_synthesis(
-            style, sources, targets, params,
-            seed=parameters["seed"], mask=mask, backend=Backend(passes),
-        )  # fmt: skip
+    synthesis = make_synthesis(
+        style, sources, targets, params,
+        seed=parameters["seed"], mask=mask, backend=Backend(passes),
+    )  # fmt: skip
     level = synthesis.finish()
     image = level.style.copy()
     image[mask] = 0

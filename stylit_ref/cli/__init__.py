@@ -53,7 +53,7 @@ def main(arguments: list[str] | None = None) -> int:
         return 2
     options = parser.parse_args(arguments)
     try:
-        with notes_on_stderr():
+        with notes_on_stderr(options):
             return options.command(options) or 0
     except InputError as error:
         name = f"{options.parser.flag_of(error.parameter)} " if error.parameter else ""

@@ -80,12 +80,13 @@ def read_images(options):
     style = read_uint8(options.style)
     pairs = [read_guides(source, target) for source, target in options.guide]
     sources, targets = zip(*pairs, strict=True)
-    check_guides(style, sources, targets, *zip(*options.guide, strict=True))
+    names = ([f"--guide {path}" for path in side] for side in zip(*options.guide, strict=True))
+    check_guides(style, sources, targets, *names)
     mask = read_uint8(options.mask).mean(axis=2) >= 128 if options.mask else None
     fill = read_uint8(options.fill) if options.fill else None
     if mask is not None:
         size, channels = targets[0].shape[:2], style.shape[2]
-        check_mask(mask, fill, size, channels, options.mask, options.fill)
+        check_mask(mask, fill, size, channels)
     return ImagesIn(style, sources, targets, mask, fill)
 
 

@@ -6,36 +6,49 @@ import warnings
 from contextlib import contextmanager
 
 from stylit_ref.errors import one_line
+from stylit_ref.notes import LOGGER
 
 
 class _Notes(logging.Handler):
-    """Prints each text once."""
+    """Prints the notes of the library, a parameter by the option that sets it.
 
-    def __init__(self):
+    What is harmless about a parameter that nobody has typed is no news.
+    """
+
+    def __init__(self, options):
         super().__init__(logging.INFO)
-        self._said = set()
+        self._options = options
 
     def emit(self, record):
-        self.say(record.getMessage())
+        name = getattr(record, "parameter", None)  # others may log there too
+        if record.levelno < logging.WARNING and getattr(self._options, name or "", "") is None:
+            return
+        flag = f"{self._options.parser.flag_of(name)} " if name else ""
+        say(f"{flag}{getattr(record, 'sentence', record.getMessage())}")
 
-    def say(self, text):
-        if text not in self._said:
-            self._said.add(text)
-            print(f"note: {one_line(text)}", file=sys.stderr)
+
+def say(text):
+    """Print a note."""
+    print(f"note: {one_line(text)}", file=sys.stderr)
 
 
 @contextmanager
-def notes_on_stderr():
-    """Print what the library logs or warns of while the block runs, a line each, and each once."""
-    notes, logger = _Notes(), logging.getLogger("stylit_ref")
-    level = logger.level
-    logger.addHandler(notes)
-    logger.setLevel(logging.INFO)
+def notes_on_stderr(options):
+    """Print what the library has to tell while the block runs, a line each.
+
+    Parameters
+    ----------
+    options : argparse.Namespace
+        With the ``parser`` that they come from.
+    """
+    notes, level = _Notes(options), LOGGER.level
+    LOGGER.addHandler(notes)
+    LOGGER.setLevel(logging.INFO)
     try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("always", UserWarning)
-            warnings.showwarning = lambda message, *_: notes.say(str(message))
+        with warnings.catch_warnings():  # of other libraries
+            warnings.simplefilter("once", UserWarning)
+            warnings.showwarning = lambda message, *_: say(str(message))
             yield
     finally:
-        logger.setLevel(level)
-        logger.removeHandler(notes)
+        LOGGER.setLevel(level)
+        LOGGER.removeHandler(notes)

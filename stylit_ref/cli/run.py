@@ -1,7 +1,7 @@
 """``stylit-ref run``: stylize a target as a style exemplar shows."""
 
+import logging
 import sys
-import warnings
 from functools import partial
 from time import perf_counter
 
@@ -18,8 +18,8 @@ from stylit_ref.cli.method_options import add_method, add_parameters, add_preset
 from stylit_ref.cli.methods import offer_of
 from stylit_ref.cli.progress_line import progress_line
 from stylit_ref.machine.profiling import Profile
+from stylit_ref.notes import note
 from stylit_ref.stylization.backends import BACKENDS
-from stylit_ref.stylization.checks import FewerLevelsWarning
 
 _USAGE = "%(prog)s --style IMAGE --guide SOURCE TARGET [--guide ...] --output IMAGE [options]"
 
@@ -85,9 +85,7 @@ def run(options):
         images = read_images(options)
     check_outputs(options, params, images)
     if images.mask is not None and not images.mask.any():
-        warnings.warn(f"{options.mask}: no pixel is white, so none is left alone", stacklevel=2)
-    if options.levels is None:  # nobody asked for levels, so fewer of them are no news
-        warnings.simplefilter("ignore", FewerLevelsWarning)
+        note("has no white pixel, so none is left alone", parameter="mask", level=logging.WARNING)
     with progress_line(options.quiet, options.verbose) as line:
         result = offer.run(
             images.style,

@@ -5,7 +5,7 @@ An alpha channel that is opaque everywhere is dropped. Otherwise OpenImageIO pre
 colours by it, so that averages of transparent pixels come out right.
 """
 
-import warnings
+import logging
 from pathlib import Path
 
 import numpy as np
@@ -14,6 +14,7 @@ from stylit_ref.errors import InputError
 from stylit_ref.files.bit_depth import to_uint8
 from stylit_ref.files.image_file import open_image, read_pixels, reason_of
 from stylit_ref.files.layers import find_layer, split_channel, split_layer
+from stylit_ref.notes import note
 
 _DEPTHS = {"uint8": "uint8", "uint16": "uint16"} | dict.fromkeys(
     ("half", "float", "double"), "float"
@@ -161,9 +162,9 @@ def _displayed(path):
     if image.dtype == np.float32:
         clipped = np.mean((image < -0.01) | (image > 1))
         if clipped > 0.05:
-            warnings.warn(
+            note(
                 f"{path}: {clipped:.0%} of the values lie outside [0, 1] and are clipped",
-                stacklevel=3,
+                level=logging.WARNING,
             )
     rows = [to_uint8(row, alpha_channel) for row in image]  # a conversion takes much memory
     return np.stack(rows), alpha_channel

@@ -11,7 +11,10 @@ from typing import NamedTuple, ParamSpec
 from numba import njit, types
 from numba.core.dispatcher import Dispatcher
 
+from stylit_ref.machine.forks import survive_forks
 from stylit_ref.machine.kernel_cache import KernelCache
+
+survive_forks()
 
 Arguments = ParamSpec("Arguments")
 

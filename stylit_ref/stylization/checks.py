@@ -1,6 +1,6 @@
 """What ``stylize`` refuses at the door; every refusal is one sentence with the sizes."""
 
-import warnings
+import logging
 from dataclasses import replace
 from numbers import Integral
 
@@ -11,10 +11,7 @@ from stylit_ref.errors import InputError
 from stylit_ref.formulae.patch_penalization import omega_best
 from stylit_ref.metric.lower_bound import BOUND_SCALE
 from stylit_ref.metric.packing import ONE, occurrence_weight
-
-
-class FewerLevelsWarning(UserWarning):
-    """The images do not allow as many pyramid levels as were asked for."""
+from stylit_ref.notes import note
 
 
 def size_text(shape):
@@ -26,11 +23,15 @@ def as_image(array, name):
     """The array as (H, W, n) uint8."""
     array = as_array(array, name)
     if array.dtype != np.uint8:
-        raise InputError(f"{name} has dtype {array.dtype}; it must be uint8 (to_uint8 converts)")
+        raise InputError(
+            f"has dtype {array.dtype}; it must be uint8 (to_uint8 converts)", parameter=name
+        )
     if array.ndim == 2:
         array = array[:, :, None]
     if array.ndim != 3 or 0 in array.shape:
-        raise InputError(f"{name} has shape {array.shape}; it must be (H, W) or (H, W, channels)")
+        raise InputError(
+            f"has shape {array.shape}; it must be (H, W) or (H, W, channels)", parameter=name
+        )
     return array
 
 
@@ -40,12 +41,13 @@ def check_source_guides(style, sources, names=None):
     ``names`` are what the images are called in a refusal.
     """
     if not sources:
-        raise InputError("there are no guides; at least one pair is needed")
-    for source, name in zip(sources, names or _names("source", sources), strict=True):
+        raise InputError("is empty; at least one guide is needed", parameter="source_guides")
+    for source, name in zip(sources, names or _names("source_guides", sources), strict=True):
         if source.shape[:2] != style.shape[:2]:
             raise InputError(
-                f"{name} is {size_text(source.shape)} but the style is "
-                f"{size_text(style.shape)}; they must have the same size"
+                f"is {size_text(source.shape)} but the style is {size_text(style.shape)}; "
+                "they must have the same size",
+                parameter=name,
             )
 
 
@@ -53,23 +55,26 @@ def check_target_guides(targets, channels, names=None, source_names=None):
     """Guides of the target fit each other and those of the source, by their ``channels``."""
     if len(channels) != len(targets):
         raise InputError(
-            f"there are {len(channels)} source guides and {len(targets)} target guides; "
-            "each source guide needs its target"
+            f"holds {len(targets)} guides but source_guides holds {len(channels)}; each source "
+            "guide needs its target",
+            parameter="target_guides",
         )
-    names = names or _names("target", targets)
-    source_names = source_names or _names("source", channels)
+    names = names or _names("target_guides", targets)
+    source_names = source_names or _names("source_guides", channels)
     for target, wanted, name, source_name in zip(
         targets, channels, names, source_names, strict=True
     ):
         if target.shape[:2] != targets[0].shape[:2]:
             raise InputError(
-                f"{name} is {size_text(target.shape)} but {names[0]} is "
-                f"{size_text(targets[0].shape)}; they must have the same size"
+                f"is {size_text(target.shape)} but {names[0]} is {size_text(targets[0].shape)}; "
+                "they must have the same size",
+                parameter=name,
             )
         if target.shape[2] != wanted:
             raise InputError(
-                f"{source_name} has {wanted} channels and {name} has {target.shape[2]}; they must "
-                "have the same number"
+                f"has {wanted} channels but {name} has {target.shape[2]}; they must have the same "
+                "number",
+                parameter=source_name,
             )
 
 
@@ -77,31 +82,55 @@ def check_guides(style, sources, targets, source_names=None, target_names=None):
     """Guides come in pairs and fit the style and each other."""
     channels = [guide.shape[2] for guide in sources]
     if len(sources) == len(targets):
+        _check_order(style, sources, targets, source_names, target_names)
         check_source_guides(style, sources, source_names)
     check_target_guides(targets, channels, target_names, source_names)
 
 
-def _names(side, guides):
-    return [f"{side} guide {k}" for k in range(1, len(guides) + 1)]
+def _check_order(style, sources, targets, source_names, target_names):
+    """Only the source has to have the style's size: a target in its place looks like this."""
+    source_names = source_names or _names("source_guides", sources)
+    target_names = target_names or _names("target_guides", targets)
+    for source, target, name, other in zip(
+        sources, targets, source_names, target_names, strict=True
+    ):
+        if source.shape[:2] != style.shape[:2] == target.shape[:2]:
+            raise InputError(
+                f"is {size_text(source.shape)} and {other} is {size_text(target.shape)}, as the "
+                "style is: source and target look swapped; name the source first",
+                parameter=name,
+            )
 
 
-def check_mask(mask, fill, target_size, style_channels, mask_name="mask", fill_name="fill"):
+def _names(parameter, guides):
+    return [f"{parameter}[{k}]" for k in range(len(guides))]
+
+
+def check_mask(mask, fill, target_size, style_channels):
     """Mask and fill have the target's size, and something is left to synthesize."""
     if mask.dtype != bool or mask.ndim != 2:
-        raise InputError(f"mask is {mask.dtype} of shape {mask.shape}; it must be bool, (H, W)")
+        raise InputError(
+            f"is {mask.dtype} of shape {mask.shape}; it must be bool of shape (H, W)",
+            parameter="mask",
+        )
     if mask.shape != target_size:
         raise InputError(
-            f"{mask_name} is {size_text(mask.shape)} but the target is {size_text(target_size)}"
+            f"is {size_text(mask.shape)} but the target is {size_text(target_size)}; "
+            "they must have the same size",
+            parameter="mask",
         )
     if mask.all():
-        raise InputError(f"{mask_name} leaves the whole target alone; nothing is to be synthesized")
+        raise InputError(
+            "covers the whole target, so nothing is left to synthesize", parameter="mask"
+        )
     if fill is None:
         return
-    fill = as_image(fill, fill_name)
+    fill = as_image(fill, "fill")
     if fill.shape != (*target_size, style_channels):
         raise InputError(
-            f"{fill_name} is {size_text(fill.shape)} with {fill.shape[2]} channels; it must be "
-            f"{size_text(target_size)} with the style's {style_channels}"
+            f"is {size_text(fill.shape)} with {fill.shape[2]} channels; it must be "
+            f"{size_text(target_size)} with the style's {style_channels}",
+            parameter="fill",
         )
 
 
@@ -118,12 +147,10 @@ def fit_levels(params, source_size, target_size):
     while shortest >> levels >= params.patch_width and levels < params.levels:
         levels += 1
     if levels < params.levels:
-        warnings.warn(
-            FewerLevelsWarning(
-                f"{levels} pyramid levels in place of {params.levels}: "
-                f"a coarser one would be smaller than a patch"
-            ),
-            stacklevel=4,
+        note(
+            f"is {params.levels}, but {levels} are used: a coarser level would be smaller than a "
+            "patch",
+            parameter="levels",
         )
     return replace(params, levels=levels)
 
@@ -192,17 +219,17 @@ def check_range(packing, params, source_size, target_patches):
     best = omega_best(params.patch_width, source_pixels, target_patches)
     exact = uniformity / (patch_pixels * best)
     if abs(weight - ONE * exact) > 0.01 * ONE * exact:
-        warnings.warn(
-            f"uniformity {uniformity:g} is rounded to "
-            f"{uniformity * weight / (ONE * exact):g}: so small a weight has no finer "
-            f"fixed-point value with patches of width {params.patch_width}",
-            stacklevel=4,
+        note(
+            f"is {uniformity:g}, but {uniformity * weight / (ONE * exact):g} is used: so small a "
+            f"weight has no finer fixed-point value with patches of width {params.patch_width}",
+            parameter="uniformity",
+            level=logging.WARNING,
         )
     largest_phi = weight * patch_pixels * target_patches + packing.largest_delta(params.patch_width)
     factor = patch_pixels if params.traits.has_guide_map else BOUND_SCALE
     if largest_phi * factor >= 1 << 62:
         raise InputError(
-            f"{uniformity:g} with guide influence {params.guide_influence:g} overflows 64-bit "
-            "integers on images of this size; choose smaller ones",
+            f"is {uniformity:g}; with guide_influence {params.guide_influence:g} it overflows "
+            "64-bit integers on images of this size; choose smaller values",
             parameter="uniformity",
         )

@@ -1,7 +1,7 @@
 """Parameters of a stylization; the defaults are those of thesis 4.1."""
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
 from stylit_ref.errors import InputError
 from stylit_ref.parameters import (
@@ -33,15 +33,17 @@ class Params:
         (5.2, :mod:`stylit_ref.formulae.guide_map`); StyLit
         (1.5, :mod:`stylit_ref.stylization.stylit`).
     patch_width : int
-        w, odd, in pixels (4.1: 5).
+        w, odd, in pixels (4.1: 5). ``--patch-size`` on the command line.
     levels : int
         Levels of the pyramid (4.1: 6); fewer are used where the coarsest would be
-        smaller than a patch.
+        smaller than a patch. ``--pyramid-levels`` on the command line.
     votes : int or tuple of int
         EM iterations a level: a vote, then PatchMatch (4.1: 6). A tuple names them from
-        the finest level on; its last holds for all coarser ones.
+        the finest level on; its last holds for all coarser ones. ``--search-vote-iters`` on
+        the command line.
     patchmatch_iterations : int
-        PatchMatch iterations after each vote (4.1: 6).
+        PatchMatch iterations after each vote (4.1: 6). ``--patchmatch-iters`` on the command
+        line.
     uniformity : float
         λ, the weight of the patch penalization ρ (4.3: best in 5000 to 15000).
     guide_influence : float
@@ -79,14 +81,19 @@ class Params:
         Choice(tuple(METHODS)),
         "; ".join(f"{method.name}, {method.text}" for method in METHODS.values()),
     )
-    patch_width: int = parameter(5, Integer(3, 63, odd=True), "patch width in pixels, odd")
-    levels: int = parameter(6, Integer(1, 16), "levels of the pyramid")
+    patch_width: int = parameter(
+        5, Integer(3, 63, odd=True), "patch width in pixels, odd (patch_width in Python)"
+    )
+    levels: int = parameter(6, Integer(1, 16), "levels of the pyramid (levels in Python)")
     votes: int | tuple[int, ...] = parameter(
         6,
         OneOrSeveral(Integer(1, 65535)),
-        "search-vote iterations a level; 1,2,4 gives them from the finest level on",
+        "search-vote iterations a level; 1,2,4 gives them from the finest level on "
+        "(votes in Python)",
     )
-    patchmatch_iterations: int = parameter(6, Integer(1, 65535), "PatchMatch iterations a vote")
+    patchmatch_iterations: int = parameter(
+        6, Integer(1, 65535), "PatchMatch iterations a vote (patchmatch_iterations in Python)"
+    )
     uniformity: float = parameter(10000.0, _WEIGHT, "λ, how evenly the style is used")
     guide_influence: float = parameter(2.0, _WEIGHT, "μ, weight of the guides")
     guide_weights: tuple[float, ...] | None = parameter(
@@ -134,6 +141,22 @@ class Params:
                 parameter="schedule",
             )
 
+    @classmethod
+    def preset(cls, name: str) -> "Params":
+        """Parameters of a named effort; :func:`dataclasses.replace` changes some of them.
+
+        Parameters
+        ----------
+        name : {"thesis", "fast"}
+            One of :data:`PRESETS`.
+
+        Raises
+        ------
+        InputError
+            If none has that name.
+        """
+        return cls(**PRESETS[Choice(tuple(PRESETS)).check("preset", name)])
+
     @property
     def traits(self) -> Method:
         """What the method is: its row of :data:`stylit_ref.stylization.methods.METHODS`."""
@@ -151,7 +174,7 @@ class Params:
         return self.votes
 
 
-PRESETS = {
+PRESETS: dict[str, dict[str, Any]] = {
     "thesis": {},
     "fast": {"levels": 7, "votes": (1, 4, 6), "patchmatch_iterations": 1},
 }
@@ -160,3 +183,27 @@ PRESETS = {
 Votes at coarse levels cost little and settle most of what the finest shows, so ``fast`` spends
 them there.
 """
+
+
+def as_params(params: Params | None) -> Params:
+    """The parameters, or those of the thesis for None.
+
+    Raises
+    ------
+    InputError
+        If they are anything else, as the name of a preset or its values.
+    """
+    if params is None:
+        return Params()
+    if isinstance(params, Params):
+        return params
+    if isinstance(params, str):
+        Params.preset(params)  # refuses a name that is none
+        what, remedy = repr(params), f"write Params.preset({params!r})"
+    elif isinstance(params, dict):
+        names = [name for name, values in PRESETS.items() if values == params]
+        remedy = f"write Params.preset({names[0]!r})" if names else "write Params(**params)"
+        what = "a dict"
+    else:
+        what, remedy = f"of type {type(params).__name__}", "it must be a Params"
+    raise InputError(f"is {what}; {remedy}", parameter="params")

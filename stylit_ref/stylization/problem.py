@@ -18,7 +18,7 @@ from stylit_ref.stylization.checks import (
 )
 from stylit_ref.stylization.exemplar import Exemplar
 from stylit_ref.stylization.mask import active_patches
-from stylit_ref.stylization.params import Params
+from stylit_ref.stylization.params import Params, as_params
 from stylit_ref.stylization.synthesis import Synthesis
 from stylit_ref.stylization.target import Target
 
@@ -49,14 +49,17 @@ def make_exemplar(
     InputError
         If arrays or parameters do not fit together; the message names the sizes.
     """
-    params = params or Params()
-    style, sources = _style(style), _guides(source_guides, "source")
+    params = as_params(params)
+    style, sources = _style(style), _guides(source_guides, "source_guides")
     check_source_guides(style, sources)
     weights = params.guide_weights
     if weights is None:
         weights = (1.0,) * len(sources)
     if len(weights) != len(sources):
-        raise InputError(f"there are {len(weights)} guide weights for {len(sources)} guides")
+        raise InputError(
+            f"holds {len(weights)} weights for {len(sources)} guides; each guide needs one",
+            parameter="guide_weights",
+        )
     sizes = [guide.shape[2] for guide in sources]
     packing = make_packing(sizes, style.shape[2], params.guide_influence, weights)
     texture = packing.pack(sources, style)
@@ -83,7 +86,7 @@ def make_target(
     InputError
         If arrays do not fit together; the message names the sizes.
     """
-    targets = _guides(target_guides, "target")
+    targets = _guides(target_guides, "target_guides")
     check_target_guides(targets, exemplar.packing.guide_sizes)
     size = targets[0].shape[:2]
     mask = np.zeros(size, bool) if mask is None else as_array(mask, "mask")
@@ -122,9 +125,9 @@ def make_synthesis(
     InputError
         If arrays or parameters do not fit together; the message names the sizes.
     """
-    params = params or Params()
-    style, sources = _style(style), _guides(source_guides, "source")
-    targets = _guides(target_guides, "target")
+    params = as_params(params)
+    style, sources = _style(style), _guides(source_guides, "source_guides")
+    targets = _guides(target_guides, "target_guides")
     check_guides(style, sources, targets)
     size = targets[0].shape[:2]
     if fill is not None:
@@ -142,5 +145,10 @@ def _style(style):
     return style
 
 
-def _guides(guides, side):
-    return [as_image(guide, f"{side} guide {k}") for k, guide in enumerate(guides, 1)]
+def _guides(guides, parameter):
+    if isinstance(guides, np.ndarray):
+        one = parameter.removesuffix("s")
+        raise InputError(
+            f"is one array of shape {guides.shape}; put it in a list: [{one}]", parameter=parameter
+        )
+    return [as_image(guide, f"{parameter}[{k}]") for k, guide in enumerate(guides)]

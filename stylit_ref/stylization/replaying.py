@@ -1,12 +1,13 @@
 """``replay``: another style image through a saved nearest-neighbour field."""
 
-import warnings
+import logging
 from numbers import Integral
 
 import numpy as np
 
 from stylit_ref.arrays import as_array
 from stylit_ref.errors import InputError
+from stylit_ref.notes import note
 from stylit_ref.passes import replay_vote
 from stylit_ref.stylization.checks import size_text
 
@@ -42,15 +43,20 @@ def replay(
     InputError
         If the NNF is not one, or points outside the style.
     """
-    nnf, style = as_array(nnf, "the NNF"), as_array(style, "style")
+    nnf, style = as_array(nnf, "nnf"), as_array(style, "style")
     if nnf.dtype != np.int32 or nnf.ndim != 3 or nnf.shape[2] != 2 or 0 in nnf.shape:
         raise InputError(
-            f"the NNF is {nnf.dtype} of shape {nnf.shape}; it must be int32 of shape (H, W, 2)"
+            f"is {nnf.dtype} of shape {nnf.shape}; it must be int32 of shape (H, W, 2)",
+            parameter="nnf",
         )
     if style.dtype not in (np.uint8, np.uint16, np.float32):
-        raise InputError(f"style has dtype {style.dtype}; it must be uint8, uint16 or float32")
+        raise InputError(
+            f"has dtype {style.dtype}; it must be uint8, uint16 or float32", parameter="style"
+        )
     if style.ndim not in (2, 3) or 0 in style.shape:
-        raise InputError(f"style has shape {style.shape}; it must be (H, W) or (H, W, channels)")
+        raise InputError(
+            f"has shape {style.shape}; it must be (H, W) or (H, W, channels)", parameter="style"
+        )
     if not isinstance(patch_width, Integral) or patch_width % 2 == 0 or not 1 <= patch_width <= 63:
         raise InputError(
             f"is {patch_width}; it must be an odd integer from 1 to 63", parameter="patch_width"
@@ -59,8 +65,8 @@ def replay(
         raise InputError(f"is {scale}; it must be a positive integer", parameter="scale")
     if style.shape[0] % scale or style.shape[1] % scale:
         raise InputError(
-            f"the style is {size_text(style.shape)}; its sides must be multiples of the scale "
-            f"{scale}"
+            f"is {size_text(style.shape)}; its sides must be multiples of the scale {scale}",
+            parameter="style",
         )
     radius = patch_width // 2
     assigned = nnf[nnf[:, :, 0] >= 0]
@@ -68,15 +74,17 @@ def replay(
     if assigned.size and ((assigned < radius).any() or (assigned > limit).any()):
         low, high = assigned.min(axis=0).tolist(), assigned.max(axis=0).tolist()
         raise InputError(
-            f"the NNF points to source pixels (y, x) from {low} to {high}, but a style of "
+            f"points to source pixels (y, x) from {low} to {high}, but a style of "
             f"{size_text(style.shape)} at scale {scale} has patches of width "
-            f"{patch_width} only from {[radius, radius]} to {limit.tolist()}"
+            f"{patch_width} only from {[radius, radius]} to {limit.tolist()}",
+            parameter="nnf",
         )
     if assigned.size and (assigned.max(axis=0) * 2 < limit).all():
-        warnings.warn(
-            f"the NNF uses less than half of the style's {size_text(style.shape)} at "
-            f"scale {scale}; is the style an enlargement, and the scale larger?",
-            stacklevel=2,
+        note(
+            f"is {scale}, but the NNF uses less than half of the style's "
+            f"{size_text(style.shape)}; if the style is an enlargement, give a larger scale",
+            parameter="scale",
+            level=logging.WARNING,
         )
     image = style if style.ndim == 3 else style[:, :, None]
     means = np.zeros((nnf.shape[0] * scale, nnf.shape[1] * scale, image.shape[2]))

@@ -10,11 +10,13 @@ import numpy as np
 
 from stylit_ref.arrays import as_array
 from stylit_ref.errors import InputError
+from stylit_ref.machine.forks import available_threads
 from stylit_ref.machine.profiling import Profile
 from stylit_ref.metric.packing import ONE
+from stylit_ref.notes import note
 from stylit_ref.stylization.backends import CPU, find_backend
 from stylit_ref.stylization.mask import fill_masked
-from stylit_ref.stylization.params import Params
+from stylit_ref.stylization.params import Params, as_params
 from stylit_ref.stylization.problem import make_synthesis
 from stylit_ref.stylization.progress import Step
 from stylit_ref.stylization.warm_up import warm_up
@@ -93,7 +95,8 @@ def stylize(
         shared memory (thesis 5.1). The ``live`` ones change Ω while their kernels run, as in thesis
         3.3, and no two of their runs are the same.
     threads : int, optional
-        Threads to use; all by default.
+        Threads to use; all by default, and no more than all. A process that was forked after a run
+        has one (:mod:`stylit_ref.machine.forks`).
     compiling : callable, optional
         Called before each kernel that is compiled, with its number, from 1, and how many there are
         to compile. All are then compiled before the first step; without it, each when it is first
@@ -114,7 +117,7 @@ def stylize(
     InputError
         If arrays or parameters do not fit together; the message names the sizes.
     """
-    params = params or Params()
+    params = as_params(params)
     found = find_backend(backend, params)
     on_cpu = found is CPU
     if profile:
@@ -169,15 +172,17 @@ def _shaped_like(style, image):
 
 @contextmanager
 def _threads(threads):
-    available = numba.config.NUMBA_NUM_THREADS
     if threads is None:
         yield
         return
-    if not isinstance(threads, Integral) or not 1 <= threads <= available:
-        raise InputError(f"is {threads}; this machine offers 1 to {available}", parameter="threads")
+    if not isinstance(threads, Integral) or threads < 1:
+        raise InputError(f"is {threads}; it must be an integer of at least 1", parameter="threads")
+    available = available_threads()
+    if threads > available:
+        note(f"is {threads}, but {available} is all there is here", parameter="threads")
     before = numba.get_num_threads()
-    numba.set_num_threads(threads)
+    numba.set_num_threads(min(threads, available))
     try:
         yield
     finally:
-        numba.set_num_threads(before)
+        numba.set_num_threads(min(before, available_threads()))  # fewer in a fork from a callback

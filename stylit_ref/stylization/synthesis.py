@@ -137,7 +137,7 @@ class Synthesis:
 
     def vote(self) -> None:
         """E-step: B' from the NNF."""
-        self.level.vote()
+        self._begun().vote()
         self.vote_number += 1
 
     def search(self) -> Iterator[Step]:
@@ -148,13 +148,14 @@ class Synthesis:
         Step
             After every PatchMatch iteration or retrieval.
         """
-        self.level.update_moments()
+        level = self._begun()
+        level.update_moments()
         steps = self.params.traits.search(
-            self.level, self.params, self.iterate, self.seed, self.level_number, self.vote_number
+            level, self.params, self.iterate, self.seed, self.level_number, self.vote_number
         )
         for step in steps:
-            delta, penalization = self.level.energy()
-            height, width = self.level.target.size
+            delta, penalization = level.energy()
+            height, width = level.target.size
             yield Step(
                 level=self.level_number,
                 levels=self.params.levels,
@@ -172,9 +173,10 @@ class Synthesis:
 
     def end_level(self) -> Level:
         """The last vote of a level, and Ω and W that belong to its NNF."""
-        self.level.vote()
-        self.level.init_occurrence_map()
-        return self.level
+        level = self._begun()
+        level.vote()
+        level.init_occurrence_map()
+        return level
 
     def run_level(self, number: int) -> Iterator[Step]:
         """A level from beginning to end; :attr:`level` is finished when the generator is."""
@@ -193,6 +195,11 @@ class Synthesis:
         """Run all levels; returns the finest."""
         for _ in self.run():
             pass
+        return self._begun()
+
+    def _begun(self):
+        if self.level is None:
+            raise InputError("no level has begun; call begin_level first")
         return self.level
 
     def _depth(self, number):

@@ -121,6 +121,6 @@ class TestRefusals:
 
     def test_mask_of_another_size(self, scene, capsys):
         folder = scene[0]
-        assert "style.png is 46x40 but the target is 44x38" in refused(
+        assert "--mask is 46x40 but the target is 44x38" in refused(
             capsys, run(folder, "--mask", folder / "style.png")
         )

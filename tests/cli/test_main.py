@@ -13,6 +13,7 @@ from stylit_ref.cli import COMMANDS, main, make_parser
 from stylit_ref.cli.methods import OFFERS
 from stylit_ref.cli.notes import notes_on_stderr
 from stylit_ref.cli.parser import Parser
+from stylit_ref.notes import note
 
 PARAMETERS = {
     "run": {field.name for field in fields(Params)} | {"seed", "backend", "threads", "fill"},
@@ -89,23 +90,52 @@ def test_what_ends_a_run_is_one_sentence(scene, capsys, raise_in_run, error, cod
     assert not (scene[0] / "out.png").exists()
 
 
-def test_a_note_is_one_line(scene, capsys):
+def test_a_mask_without_a_white_pixel_is_noted(scene, capsys):
     folder = scene[0]
-    write_image(folder / "my\rmask.png", np.zeros((38, 44, 1), np.uint8))
-    assert run(folder, "--mask", folder / "my\rmask.png") == 0
-    said = capsys.readouterr().err
-    note, wrote = said.splitlines()
-    assert note.startswith("note: ")
-    assert note.endswith("my mask.png: no pixel is white, so none is left alone")
-    assert wrote.startswith("wrote ")
+    write_image(folder / "mask.png", np.zeros((38, 44, 1), np.uint8))
+    assert run(folder, "--mask", folder / "mask.png") == 0
+    said = capsys.readouterr().err.splitlines()
+    assert said[0] == "note: --mask has no white pixel, so none is left alone"
+    assert len(said) == 2
 
 
-def test_a_note_comes_once(capsys):
-    with notes_on_stderr():
-        for text in ("odd", "odd", "even"):
-            logging.getLogger("stylit_ref.somewhere").info(text)
-            warnings.warn(text, stacklevel=1)
-    assert capsys.readouterr().err == "note: odd\nnote: even\n"
+@pytest.fixture
+def noted(capsys):
+    """What is printed of notes that a command's options heard."""
+
+    def told(words, *notes):
+        options = make_parser().parse_args(["run", *NEEDED["run"], *words])
+        with notes_on_stderr(options):
+            for sentence, settings in notes:
+                note(sentence, **settings)
+        return capsys.readouterr().err.splitlines()
+
+    return told
+
+
+def test_a_note_is_one_line_and_comes_once(noted):
+    assert noted([], ("my\rmask", {}), ("my\rmask", {}), ("odd", {})) == [
+        "note: my mask",
+        "note: odd",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("words", "level", "printed"),
+    [
+        ([], logging.INFO, []),
+        (["--pyramid-levels", "9"], logging.INFO, ["note: --pyramid-levels is odd"]),
+        ([], logging.WARNING, ["note: --pyramid-levels is odd"]),
+    ],
+)
+def test_a_harmless_note_about_a_default_is_no_news(noted, words, level, printed):
+    assert noted(words, ("is odd", {"parameter": "levels", "level": level})) == printed
+
+
+def test_a_warning_of_another_library_is_a_note(capsys):
+    with notes_on_stderr(make_parser().parse_args(["doctor"])):
+        warnings.warn("odd", stacklevel=1)
+    assert capsys.readouterr().err == "note: odd\n"
 
 
 def test_without_a_command_there_is_help(capsys):

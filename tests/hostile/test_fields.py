@@ -63,14 +63,14 @@ def test_a_field_that_is_a_pipe():
 def test_a_field_of_another_type(dtype):
     refused(
         replay(saved(np.full((4, 4, 2), 3, dtype))),
-        f"the NNF is {dtype} of shape (4, 4, 2); it must be int32 of shape (H, W, 2)",
+        f"--nnf is {dtype} of shape (4, 4, 2); it must be int32 of shape (H, W, 2)",
     )
 
 
 def test_a_field_that_points_outside_the_style():
     refused(
         replay(saved(np.full((4, 4, 2), 99, np.int32))),
-        "the NNF points to source pixels (y, x) from [99, 99] to [99, 99], but a style of 13x12 at "
+        "--nnf points to source pixels (y, x) from [99, 99] to [99, 99], but a style of 13x12 at "
         "scale 1 has patches of width 5 only from [2, 2] to [9, 10]",
     )
 

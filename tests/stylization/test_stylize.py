@@ -1,10 +1,13 @@
 """``stylize`` as a user calls it."""
 
+import logging
+
+import numba
 import numpy as np
 import pytest
 from small_scene import small_scene
 
-from stylit_ref import InputError, Params, replay, stylize
+from stylit_ref import PRESETS, InputError, Params, replay, stylize
 
 QUICK = Params(levels=3, votes=2, patchmatch_iterations=2)
 
@@ -42,8 +45,6 @@ def test_result_has_the_promised_form(schedule):
 
 @pytest.mark.parametrize("threads", [1, 2])
 def test_same_seed_same_bytes_with_any_number_of_threads(threads):
-    import numba
-
     if threads > numba.config.NUMBA_NUM_THREADS:
         pytest.skip(f"this machine offers {numba.config.NUMBA_NUM_THREADS} threads")
     scene = small_scene()
@@ -168,10 +169,29 @@ def test_progress_and_levels_are_reported():
     np.testing.assert_array_equal(levels[-1], result.image)
 
 
-def test_too_many_levels_are_reduced_and_said():
-    with pytest.warns(UserWarning, match="3 pyramid levels in place of 9"):
+def test_too_many_levels_are_reduced_and_noted(caplog):
+    with caplog.at_level("INFO", "stylit_ref"):
         result = stylize(*small_scene(), quick(levels=9))
     assert result.history[-1].levels == 3
+    said = "levels is 9, but 3 are used: a coarser level would be smaller than a patch"
+    assert caplog.record_tuples == [("stylit_ref", logging.INFO, said)]
+
+
+def test_threads_that_are_not_there_are_left_out_and_noted(caplog):
+    offered = numba.config.NUMBA_NUM_THREADS
+    with caplog.at_level("INFO", "stylit_ref"):
+        assert_same(stylize(*small_scene(), QUICK), stylize(*small_scene(), QUICK, threads=100000))
+    said = f"threads is 100000, but {offered} is all there is here"
+    assert caplog.record_tuples == [("stylit_ref", logging.INFO, said)]
+    assert numba.get_num_threads() == offered
+
+
+def test_a_note_comes_once_for_all_frames(caplog):
+    with caplog.at_level("INFO", "stylit_ref"):
+        for seed in range(3):
+            stylize(*small_scene(), quick(levels=9), seed=seed)
+        stylize(*small_scene(), quick(levels=8))
+    assert [record.getMessage()[:11] for record in caplog.records] == ["levels is 9", "levels is 8"]
 
 
 def test_a_target_of_one_patch_and_a_source_of_one_patch():
@@ -255,11 +275,15 @@ class TestReplay:
         large = replay(result.nnf, style.repeat(3, axis=0).repeat(3, axis=1), scale=3)
         np.testing.assert_array_equal(large, result.image.repeat(3, axis=0).repeat(3, axis=1))
 
-    def test_a_forgotten_scale_is_noticed(self):
+    def test_a_forgotten_scale_is_noticed(self, caplog):
         style, *guides = small_scene()
         result = stylize(style, *guides, QUICK)
-        with pytest.warns(UserWarning, match="is the style an enlargement"):
-            replay(result.nnf, style.repeat(3, axis=0).repeat(3, axis=1))
+        replay(result.nnf, style.repeat(3, axis=0).repeat(3, axis=1))
+        said = (
+            "scale is 1, but the NNF uses less than half of the style's 138x120; if the style is "
+            "an enlargement, give a larger scale"
+        )
+        assert caplog.record_tuples == [("stylit_ref", logging.WARNING, said)]
 
     def test_unassigned_pixels_are_zero(self):
         style, *guides = small_scene()
@@ -297,17 +321,29 @@ def bad_scene(**changes):
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        ({"source_guides": []}, "0 source guides and 2 target guides"),
-        ({"source_guides": [], "target_guides": []}, "no guides"),
+        ({"source_guides": []}, "target_guides holds 2 guides but source_guides holds 0"),
+        ({"source_guides": [], "target_guides": []}, "source_guides is empty"),
         ({"style": np.zeros((40, 47, 3), np.uint8)}, "46x40 but the style is 47x40"),
         ({"style": np.zeros((40, 46, 5), np.uint8)}, "5 channels"),
         ({"style": np.zeros((40, 46, 3))}, "float64"),
         ({"style": np.zeros(40, np.uint8)}, r"shape \(40,\)"),
         ({"style": np.zeros((0, 46, 3), np.uint8)}, r"shape \(0, 46, 3\)"),
-        ({"params": Params(guide_weights=(1.0,))}, "1 guide weights for 2 guides"),
+        ({"params": Params(guide_weights=(1.0,))}, "guide_weights holds 1 weights for 2 guides"),
+        ({"params": "fast"}, r"params is 'fast'; write Params.preset\('fast'\)"),
+        ({"params": "slow"}, "preset is 'slow'; it must be 'thesis' or 'fast'"),
+        ({"params": PRESETS["fast"]}, r"params is a dict; write Params.preset\('fast'\)"),
+        ({"params": {}}, r"params is a dict; write Params.preset\('thesis'\)"),
+        ({"params": {"levels": 3}}, r"params is a dict; write Params\(\*\*params\)"),
+        ({"params": np.zeros(3)}, "params is of type ndarray; it must be a Params"),
+        (
+            {"source_guides": np.zeros((40, 46, 3), np.uint8)},
+            r"source_guides is one array of shape \(40, 46, 3\); put it in a list: "
+            r"\[source_guide\]",
+        ),
+        ({"target_guides": np.zeros((38, 44), np.uint8)}, r"in a list: \[target_guide\]"),
         ({"params": Params(patch_width=41)}, "source is 46x40"),
         ({"params": Params(patch_width=39, levels=1)}, "target is 44x38"),
-        ({"params": Params(uniformity=1e12)}, "uniformity 1e"),
+        ({"params": Params(uniformity=1e12)}, "uniformity is 1e"),
         ({"params": Params(guide_weights=(1e9, 1.0))}, "guide weight 1e"),
         ({"params": Params(guide_weights=(1e-9, 1.0))}, "too small to count"),
         ({"seed": -1}, "seed is -1"),
@@ -315,9 +351,9 @@ def bad_scene(**changes):
         ({"seed": 0.5}, "seed is 0.5"),
         ({"threads": 1.0}, "threads is 1.0"),
         ({"threads": 0}, "threads is 0"),
-        ({"threads": 100000}, "threads is 100000"),
+        ({"threads": -1}, "threads is -1; it must be an integer of at least 1"),
         ({"backend": "gpu"}, "must be 'cpu', 'auto', 'cuda', 'cuda:shared_memory', 'cuda:live' or"),
-        ({"mask": np.ones((38, 44), bool)}, "whole target"),
+        ({"mask": np.ones((38, 44), bool)}, "mask covers the whole target"),
         ({"mask": np.zeros((38, 43), bool)}, "mask is 43x38 but the target is 44x38"),
         ({"mask": np.zeros((38, 44))}, "float64"),
         ({"mask": np.zeros((38, 44, 1), bool)}, r"\(38, 44, 1\)"),
@@ -341,11 +377,14 @@ def test_a_guide_map_of_wide_patches_needs_smaller_weights():
         stylize(*scene, Params("guide_map", **values))
 
 
-def test_a_weight_too_small_for_fixed_point_is_said():
+def test_a_weight_too_small_for_fixed_point_is_said(caplog):
     style, sources, targets = small_scene()
     params = quick(patch_width=21, levels=1, uniformity=10)
-    with pytest.warns(UserWarning, match="uniformity 10 is rounded to"):
-        stylize(style, sources, targets, params)
+    stylize(style, sources, targets, params)
+    (record,) = caplog.records
+    assert record.levelno == logging.WARNING
+    assert record.parameter == "uniformity"
+    assert record.sentence.startswith("is 10, but 10.7864 is used: so small a weight")
 
 
 def test_guide_weights_may_be_any_sequence():
@@ -356,10 +395,21 @@ def test_guide_weights_may_be_any_sequence():
 
 def test_guides_of_different_sizes_or_channels():
     style, sources, targets = small_scene()
-    with pytest.raises(InputError, match="target guide 2 is 40x38 but target guide 1 is 44x38"):
+    with pytest.raises(InputError, match=r"target_guides\[1\] is 40x38 but target_guides\[0\] is"):
         stylize(style, sources, [targets[0], targets[1][:, :40]])
-    with pytest.raises(InputError, match="source guide 1 has 3 channels and target guide 1 has 1"):
+    with pytest.raises(InputError, match=r"source_guides\[0\] has 3 channels but target_g"):
         stylize(style, sources, [targets[0][:, :, :1], targets[1]])
+
+
+@pytest.mark.parametrize("name", PRESETS)
+def test_a_preset_by_name(name):
+    assert Params.preset(name) == Params(**PRESETS[name])
+
+
+@pytest.mark.parametrize("name", ["quick", "", None, 3])
+def test_a_preset_that_is_not_there(name):
+    with pytest.raises(InputError, match=f"preset is {name!r}; it must be 'thesis' or 'fast'"):
+        Params.preset(name)
 
 
 @pytest.mark.parametrize(

@@ -136,9 +136,9 @@ def test_halves_that_do_not_fit_are_refused():
         Synthesis(heavy, target, PARAMS)
     with pytest.raises(InputError, match="levels is 5, but the coarsest level would be smaller"):
         Synthesis(exemplar, target, replace(PARAMS, levels=5))
-    with pytest.raises(InputError, match="there are 2 source guides and 1 target guides"):
+    with pytest.raises(InputError, match="target_guides holds 1 guides but source_guides holds 2"):
         make_target(targets[:1], exemplar)
-    with pytest.raises(InputError, match="source guide 1 has 3 channels and target guide 1 has 1"):
+    with pytest.raises(InputError, match=r"source_guides\[0\] has 3 channels but target_g"):
         make_target(targets[::-1], exemplar)
     same(
         Synthesis(exemplar, target, PARAMS, seed=3).finish(),
@@ -170,6 +170,18 @@ def test_an_nnf_to_go_on_from_is_one_of_the_level(spoil, sentence):
 def test_a_level_that_is_not_there(number):
     with pytest.raises(InputError, match=f"there is no level {number}; levels are 1 to 3"):
         make_synthesis(*small_scene(), PARAMS).begin_level(number)
+
+
+@pytest.mark.parametrize(
+    "step",
+    [Synthesis.vote, Synthesis.end_level, lambda synthesis: next(synthesis.search())],
+    ids=["vote", "end_level", "search"],
+)
+def test_a_step_before_the_first_level(step):
+    synthesis = make_synthesis(*small_scene(), PARAMS)
+    with pytest.raises(InputError, match="no level has begun; call begin_level first"):
+        step(synthesis)
+    assert synthesis.vote_number == 0
 
 
 def test_a_seed_is_checked_wherever_a_run_comes_from():
