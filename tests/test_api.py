@@ -6,13 +6,13 @@ import os
 import re
 import subprocess
 import sys
-from dataclasses import fields
 from pathlib import Path
 
 import pytest
 
 import stylit_ref
 from stylit_ref import Params
+from stylit_ref.cli import make_parser
 from stylit_ref.cli.method_options import SPELLED
 
 
@@ -77,5 +77,6 @@ def test_importing_the_library_changes_no_setting_of_the_process():
 def test_a_parameter_and_its_option_name_each_other(name, option):
     description = re.search(rf"^{name} : .*\n((?: .*\n)+)", inspect.getdoc(Params), re.MULTILINE)
     assert f"``{option}`` on the command line." in " ".join(description.group(1).split())
-    (text,) = (field.metadata["text"] for field in fields(Params) if field.name == name)
-    assert f"({name} in Python)" in text
+    (action,) = (action for action in make_parser().commands["run"]._actions if action.dest == name)
+    assert action.option_strings == [option]
+    assert f"({name} in Python, default " in action.help

@@ -20,7 +20,7 @@ _OTHERS = "method", "guide_weights"
 
 def add_method(group):
     """Add ``--method``."""
-    texts = "; ".join(f"{name}, {offer.text}" for name, offer in OFFERS.items())
+    texts = "; ".join(f"{name}: {offer.text}" for name, offer in OFFERS.items())
     group.add_argument(
         "--method", default=next(iter(OFFERS)), metavar="NAME",
         help=f"{texts} (default %(default)s)",
@@ -32,8 +32,8 @@ def add_preset(group):
     presets = dict.fromkeys(name for offer in OFFERS.values() for name in offer.presets)
     group.add_argument(
         "--preset", choices=presets, default=next(iter(presets)),
-        help="fast for a preview, thesis for the thesis' effort: 13 times the time, close to the "
-        "eye (default %(default)s)",
+        help="fast: a preview in a tenth of the time; thesis: the effort of the thesis "
+        "(default %(default)s)",
     )  # fmt: skip
 
 
@@ -56,8 +56,12 @@ def add_parameters(group, names=None, without=()):
             dest=each.name,
             type=_parsed(each.metadata["kind"]),
             metavar=each.metadata["kind"].placeholder,
-            help=f"{each.metadata['text']} (default {_default(each)})",
+            help=f"{each.metadata['text']} ({_in_python(each)}default {_default(each)})",
         )
+
+
+def _in_python(field):
+    return f"{field.name} in Python, " if field.name in SPELLED else ""
 
 
 def _default(field):

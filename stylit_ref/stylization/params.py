@@ -81,51 +81,56 @@ class Params:
         Choice(tuple(METHODS)),
         "; ".join(f"{method.name}, {method.text}" for method in METHODS.values()),
     )
-    patch_width: int = parameter(
-        5, Integer(3, 63, odd=True), "patch width in pixels, odd (patch_width in Python)"
-    )
-    levels: int = parameter(6, Integer(1, 16), "levels of the pyramid (levels in Python)")
+    patch_width: int = parameter(5, Integer(3, 63, odd=True), "width of the patches in pixels, odd")
+    levels: int = parameter(6, Integer(1, 16), "levels of the image pyramid")
     votes: int | tuple[int, ...] = parameter(
         6,
         OneOrSeveral(Integer(1, 65535)),
-        "search-vote iterations a level; 1,2,4 gives them from the finest level on "
-        "(votes in Python)",
+        "search-vote iterations at every level; 1,4,6 means 1 at the finest, 4 at the next, 6 at "
+        "all others",
     )
     patchmatch_iterations: int = parameter(
-        6, Integer(1, 65535), "PatchMatch iterations a vote (patchmatch_iterations in Python)"
+        6, Integer(1, 65535), "PatchMatch iterations after every vote"
     )
-    uniformity: float = parameter(10000.0, _WEIGHT, "λ, how evenly the style is used")
-    guide_influence: float = parameter(2.0, _WEIGHT, "μ, weight of the guides")
+    uniformity: float = parameter(
+        10000.0, _WEIGHT, "λ, how evenly the painting is used: 5000 to 15000 suits most"
+    )
+    guide_influence: float = parameter(
+        2.0, _WEIGHT, "μ, weight of all guides together against 1 for the painting"
+    )
     guide_weights: tuple[float, ...] | None = parameter(
         None, Optional(Several(_WEIGHT, "guide weight")), "factors of the guides"
     )
     schedule: str = parameter(
         "propose_commit",
         Choice(tuple(SCHEDULES)),
-        "propose_commit (parallel) or scanline (sequential)",
+        "propose_commit, on all threads, or scanline, on one, as in the thesis' chapter 2",
     )
     vote_outliers: int = parameter(
-        0, Integer(0, 63**2 - 1), "votes farthest from the mean that do not count"
+        0,
+        Integer(0, 63**2 - 1),
+        "votes farthest from their mean that do not count; 4 makes lines crisper",
     )
     epsilon: float = parameter(
         100.0,
         _WEIGHT,
-        "guide_map: ε, variance of the guides below which means stand for them",
+        "with --method guide_map: ε, the variance of guides below which their means are compared",
     )
     budget: Literal["hyperbola"] | float = parameter(
         "hyperbola",
         Share("hyperbola"),
-        "stylit: hyperbola, for the knee of the sorted errors, or a share of their sum, as 0.9",
+        "with --method stylit: how much error is accepted; hyperbola finds it, or a share of all "
+        "errors, as 0.9",
     )
     fixed_share: float = parameter(
         0.95,
         Share(),
-        "stylit: share of the target to be fixed by source-to-target retrieval",
+        "with --method stylit: share of the target that source patches look for themselves",
     )
     error_limit: float | None = parameter(
         None,
         Optional(Number(1, LARGEST_WEIGHT)),
-        "stylit: α, most error of a fixed patch over the least that was found for it",
+        "with --method stylit: α, how many times its least error a patch may accept",
     )
 
     def __post_init__(self):

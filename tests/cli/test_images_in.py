@@ -124,3 +124,9 @@ class TestRefusals:
         assert "--mask is 46x40 but the target is 44x38" in refused(
             capsys, run(folder, "--mask", folder / "style.png")
         )
+
+    def test_source_and_target_that_look_swapped(self, scene, capsys):
+        folder = scene[0]
+        message = refused(capsys, run(folder, guides=("target_{}.png", "source_{}.png")))
+        assert f"--guide {folder / 'target_0.png'} is 44x38 and --guide " in message
+        assert message.endswith("source and target look swapped; name the source first")
