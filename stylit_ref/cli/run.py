@@ -97,7 +97,7 @@ def run(options):
             fill=images.fill,
             backend=options.backend,
             threads=options.threads,
-            compiling=line.compiling,
+            compiling=None if line.bar.disable else line.compiling,  # it takes 50 ms to ask
             progress=line.step,
             on_level=partial(save_level, options),
             profile=profile,
