@@ -47,9 +47,10 @@ _HOMES = {
 
 
 def __getattr__(name):
-    """What is public, on demand: synthesis needs no OpenImageIO, and the oracle's checker no Numba.
+    """Import a public name when it is first used.
 
-    The imports above say the same to type checkers (``tests/test_api.py`` holds them together).
+    Synthesis then needs no OpenImageIO, and the oracle's checker no Numba. The imports above tell
+    type checkers the same names (``tests/test_api.py`` compares the two lists).
     """
     for home, names in _HOMES.items():
         if name in names:

@@ -1,4 +1,4 @@
-"""Arrays of whatever a caller hands over."""
+"""Turn a caller's argument into an array."""
 
 import numpy as np
 
@@ -6,8 +6,8 @@ from stylit_ref.errors import InputError
 
 
 def as_array(array, name):
-    """The array, refused where it is a sequence of unlike parts."""
+    """The argument as an array; an InputError if its rows differ in length."""
     try:
         return np.asarray(array)
     except ValueError:
-        raise InputError(f"{name} is no array: its rows differ in length") from None
+        raise InputError(f"{name} is not an array: its rows differ in length") from None

@@ -1,4 +1,4 @@
-"""The one error a user can cause."""
+"""The error that bad input raises."""
 
 
 class InputError(ValueError):
@@ -7,10 +7,10 @@ class InputError(ValueError):
     Parameters
     ----------
     sentence : str
-        A whole sentence; with ``parameter`` what follows that name.
+        A whole sentence; with ``parameter``, the rest of a sentence that begins with its name.
     parameter : str, optional
-        Name of the parameter that is refused, as in the signature of what was called. A program
-        with other names, as a command line has them, puts its own before ``sentence``.
+        Name of the refused parameter in the signature of the function that was called. A command
+        line puts the name of its option before ``sentence`` instead.
     """
 
     def __init__(self, sentence, *, parameter=None):
@@ -19,9 +19,9 @@ class InputError(ValueError):
 
 
 def one_line(text):
-    """The text on one line, without what could act on a terminal.
+    """The text on one line, without control characters.
 
-    A file's name or another library's message may bring anything along.
+    A file's name or another library's message may contain characters that a terminal obeys.
     """
     return "".join(
         " " if sign.isspace() else sign if sign.isprintable() else "\ufffd" for sign in text

@@ -1,1 +1,1 @@
-"""Files in and out, whole or not at all: images of any depth, nearest-neighbour fields."""
+"""Read and write files: images of any bit depth, and nearest-neighbour fields."""

@@ -1,4 +1,4 @@
-"""Between the 8-bit display values of the synthesis and deeper images.
+"""Convert between the 8-bit display values of the synthesis and deeper images.
 
 16-bit integers become ``round(v / 257)``. Floating point is taken as scene-linear
 light, clipped to [0, 1] and encoded by the sRGB transfer curve; alpha stays linear.
@@ -27,7 +27,7 @@ def to_uint8(image: np.ndarray, alpha_channel: int | None = None) -> np.ndarray:
     Raises
     ------
     InputError
-        For another dtype.
+        If the dtype is another one.
     """
     image = np.asarray(image)
     if image.dtype == np.uint8:
@@ -46,7 +46,7 @@ def to_uint8(image: np.ndarray, alpha_channel: int | None = None) -> np.ndarray:
 
 
 def to_linear(image: np.ndarray) -> np.ndarray:
-    """Invert the sRGB curve: integers as displayed to float32 scene-linear light."""
+    """Invert the sRGB curve: turn displayed integers into float32 scene-linear light."""
     encoded = img_as_float32(image)
     linear = np.where(encoded <= 0.04045, encoded / 12.92, ((encoded + 0.055) / 1.055) ** 2.4)
     if image.ndim == 3 and image.shape[2] in (2, 4):

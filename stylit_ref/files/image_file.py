@@ -1,4 +1,4 @@
-"""An open image file: whole pixels, or the reason why there are none in one clause."""
+"""Open an image file and read its pixels."""
 
 from pathlib import Path
 
@@ -8,10 +8,10 @@ import OpenImageIO as oiio
 from stylit_ref.errors import InputError
 
 LARGEST_IMAGE = 1 << 29
-"""Values (pixels times channels) that a file may declare: 16384x8192 with 4 channels.
+"""Most values (pixels times channels) that a file may declare: 16384x8192 with 4 channels.
 
 As floating point they take 2 GiB, and reading takes two to three times the memory of the image.
-More are refused before memory is taken: a file of a few bytes can declare any size.
+Larger images are refused before memory is allocated: a file of a few bytes can declare any size.
 """
 
 
@@ -38,42 +38,42 @@ def open_image(file: str | Path) -> oiio.ImageInput:
 
 
 def check_size(file: str | Path, spec: oiio.ImageSpec):
-    """Refuse by what the file declares; its display window may exceed its pixels.
+    """Refuse an image whose header declares too large a data window or display window.
 
     Raises
     ------
     InputError
-        If that is more than :data:`LARGEST_IMAGE` values.
+        If either has more than :data:`LARGEST_IMAGE` values.
     """
     for width, height in ((spec.width, spec.height), (spec.full_width, spec.full_height)):
         if width * height * spec.nchannels > LARGEST_IMAGE:
             raise InputError(
-                f"{file}: declares {width}x{height} pixels with {spec.nchannels} channels; "
-                f"at most {LARGEST_IMAGE} values are read"
+                f"{file}: declares {width}x{height} pixels with {spec.nchannels} channels; at most "
+                f"{LARGEST_IMAGE} values (width x height x channels) can be read; make it smaller"
             )
 
 
 def read_pixels(image: oiio.ImageInput, part: int, depth: str) -> np.ndarray | None:
-    """All pixels of a part of an open file.
+    """Read all pixels of one part of an open file.
 
-    Of a truncated JPEG the rest is made up, and the error alone tells.
+    For a truncated JPEG, OpenImageIO invents the missing pixels; only its error tells.
 
     Parameters
     ----------
     image : OpenImageIO.ImageInput
     part : int
     depth : {"uint8", "uint16", "float", ...}
-        Values are converted to it.
+        The type that values are converted to.
 
     Returns
     -------
     (H, W, n) array of that dtype or None
-        The data window; None where it cannot be read, and ``image.geterror()`` says why.
+        The data window, or None if it cannot be read; ``image.geterror()`` then says why.
     """
     pixels = image.read_image(part, 0, 0, image.spec().nchannels, depth)
     return None if image.has_error else pixels
 
 
 def reason_of(said: str) -> str:
-    """The first line of what OpenImageIO said: more are advice, or the same again."""
+    """The first line of OpenImageIO's error: the others give advice or repeat it."""
     return said.split("\n")[0].rstrip(".")

@@ -1,6 +1,6 @@
 """Layers of a multilayer EXR.
 
-``file:LAYER`` names one: a prefix of channel names (``LDE.R``), or a named part of the file.
+``file:LAYER`` names a layer: a prefix of channel names (``LDE.R``), or a named part of the file.
 """
 
 from pathlib import Path
@@ -13,7 +13,7 @@ _CHANNEL_ORDER = "RGBXYZUVA"
 
 
 def split_layer(path: str | Path) -> tuple[Path, str | None]:
-    """``file:LAYER`` into file and layer; a file of that whole name comes first.
+    """Split ``file:LAYER`` into file and layer, unless a file has that whole name.
 
     Parameters
     ----------
@@ -36,15 +36,16 @@ def split_layer(path: str | Path) -> tuple[Path, str | None]:
     else:
         layer = None
     if not whole.is_file():
-        reason = "is a folder, not an image" if whole.is_dir() else "no such file"
+        reason = "is a folder; name an image file" if whole.is_dir() else "no such file"
         raise InputError(f"{whole}: {reason}")
     return whole, layer
 
 
 def find_layer(file: Path, layer: str | None) -> tuple[int, list[int]]:
-    """Where a layer is, its colours in their usual order.
+    """Find the channels of a layer, colours in their usual order.
 
-    Without a layer the unnamed channels are meant: the colours, if there are any.
+    If ``layer`` is None, these are the unnamed channels, or only the colours among them if there
+    are any.
 
     Parameters
     ----------
@@ -76,22 +77,23 @@ def find_layer(file: Path, layer: str | None) -> tuple[int, list[int]]:
         elif len(named) > 1:
             channels = []
     if not channels:
-        asked = "it has no unnamed layer" if layer is None else f"it has no layer '{layer}'"
         known = ", ".join(named) or "none"
-        raise InputError(f"{file}: {asked}; its named layers are: {known}")
+        if layer is None:
+            raise InputError(f"{file}: all its layers have names; add one as {file}:LAYER: {known}")
+        raise InputError(f"{file}: has no layer '{layer}'; its layers are: {known}")
     part = channels[0][0]
     channels = sorted((_CHANNEL_ORDER.find(c), n) for p, n, c in channels if p == part)
     return part, [number for _, number in channels]
 
 
 def split_channel(name: str) -> tuple[str, str]:
-    """``LAYER.R`` into layer and channel; a channel without a layer has layer ``""``."""
+    """Split ``LAYER.R`` into layer and channel; a channel without a layer has layer ``""``."""
     layer, _, channel = name.rpartition(".")
     return layer, channel.upper()
 
 
 def _channels_by_layer(file):
-    """Layer, or ``""``, to ``(part, number, channel)`` of its channels."""
+    """Map each layer (``""`` if it has no name) to ``(part, number, channel)`` of its channels."""
     image = open_image(file)
     layers = {}
     part = 0

@@ -1,4 +1,4 @@
-"""Nearest-neighbour fields in and out, as ``.npy``."""
+"""Read and write nearest-neighbour fields as ``.npy``."""
 
 from pathlib import Path
 
@@ -9,7 +9,7 @@ from stylit_ref.files.output_file import check_regular, check_writable, real_pat
 
 
 def read_nnf(path: str | Path) -> np.ndarray:
-    """Read the array of a ``.npy`` file; whether it is a field is for others to judge.
+    """Read the array of a ``.npy`` file; its caller checks whether it is a valid field.
 
     Parameters
     ----------
@@ -18,37 +18,37 @@ def read_nnf(path: str | Path) -> np.ndarray:
     Returns
     -------
     array
-        As it was saved.
+        The array as it was saved.
 
     Raises
     ------
     InputError
-        If the file is missing, or is no ``.npy`` file or not a whole one.
+        If the file is missing, incomplete, or not a ``.npy`` file.
     """
     check_regular(real_path(path))
     try:
-        # Mapped first: the file is as long as its header says, before memory is taken.
+        # Mapping the file checks that it is as long as its header says, before memory is taken.
         return np.array(np.lib.format.open_memmap(path, mode="r"), order="C")
     except OSError as error:
         raise InputError(f"{path}: cannot be read: {error.strerror}") from None
-    except Exception as error:  # whatever the text of a header brings NumPy's parser to
+    except Exception as error:  # a broken header can make NumPy's parser raise anything
         raise InputError(f"{path}: is not a readable .npy file: {error}") from None
 
 
 def check_nnf_writable(path: str | Path):
-    """Refuse early an output that :func:`write_nnf` could not write.
+    """Refuse a path that :func:`write_nnf` could not write, before the work begins.
 
     Raises
     ------
     InputError
     """
     if Path(path).suffix != ".npy":
-        raise InputError(f"{path}: the nearest-neighbour field is written as .npy")
+        raise InputError(f"{path}: the file name of a nearest-neighbour field must end in .npy")
     check_writable(path)
 
 
 def write_nnf(path: str | Path, nnf: np.ndarray):
-    """Write a nearest-neighbour field, whole or not at all.
+    """Write a nearest-neighbour field; a failure leaves no partial file.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Output files that appear whole or not at all."""
+"""Write files so that a failure never leaves a partial file behind."""
 
 import os
 import secrets
@@ -10,28 +10,28 @@ from stylit_ref.errors import InputError
 
 
 def real_path(path):
-    """Where a path leads, links followed.
+    """The absolute path that a path leads to when its links are followed.
 
     Raises
     ------
     InputError
-        If no file can be there: too long a name, a link to itself, bytes that are no text.
+        If the path cannot name a file: it is too long, leads back to itself, or is not UTF-8.
     """
     try:
         os.fsencode(path).decode()
         place = Path(path).resolve()
         place.exists()
     except OSError as error:
-        raise InputError(f"{path}: cannot be a file: {error.strerror}") from None
+        raise InputError(f"{path}: cannot be used: {error.strerror}") from None
     except RuntimeError:
-        raise InputError(f"{path}: cannot be a file: it is a link to itself") from None
+        raise InputError(f"{path}: is a link that leads back to itself; name a file") from None
     except ValueError:
-        raise InputError(f"{path!r}: cannot be a file: it is no text in UTF-8") from None
+        raise InputError(f"{path!r}: is not valid UTF-8; give the file another name") from None
     return place
 
 
 def check_writable(path):
-    """Refuse a path where no file can be made.
+    """Refuse a path where no file can be written.
 
     Raises
     ------
@@ -48,18 +48,20 @@ def check_writable(path):
 
 
 def check_regular(path):
-    """Refuse a device or a pipe: one can wait for ever, and writing would replace it by a file.
+    """Refuse a device or a pipe: reading it may never end, and writing would replace it.
 
     Raises
     ------
     InputError
     """
     if Path(path).exists() and not Path(path).is_file():
-        raise InputError(f"{path}: is no regular file")
+        raise InputError(f"{path}: is a device or a pipe; name an ordinary file")
 
 
 def check_folder(folder):
-    """Refuse a folder that neither exists nor can be made; what it makes to see, it removes.
+    """Refuse a folder that neither exists nor can be made.
+
+    The check makes the folder and removes it again.
 
     Raises
     ------
@@ -72,11 +74,11 @@ def check_folder(folder):
             part.mkdir()
             made.append(part)
         if not folder.is_dir():
-            raise InputError(f"{folder}: cannot be made: it is a file")
+            raise InputError(f"{folder}: is a file; name a folder")
         if not os.access(folder, os.W_OK):
             raise InputError(f"{folder}: cannot be written: permission denied")
     except OSError as error:
-        raise InputError(f"{folder}: cannot be made: {error.strerror}") from None
+        raise InputError(f"{folder}: the folder cannot be made: {error.strerror}") from None
     finally:
         for part in reversed(made):
             part.rmdir()
@@ -84,7 +86,7 @@ def check_folder(folder):
 
 @contextmanager
 def temporary_name(path):
-    """A name beside ``path`` with its suffix; the file of that name is gone afterwards."""
+    """A new name beside ``path``, with its suffix; a file of that name is removed at the end."""
     path = Path(path)
     name = path.with_name(f".{secrets.token_hex(8)}{path.suffix}")
     try:
@@ -94,7 +96,7 @@ def temporary_name(path):
 
 
 def check_distinct(outputs, inputs=()):
-    """Refuse outputs that would overwrite each other or what is read.
+    """Refuse outputs that would overwrite each other or an input.
 
     Parameters
     ----------
@@ -108,39 +110,40 @@ def check_distinct(outputs, inputs=()):
     taken = {}
     for path in filter(None, inputs):
         place = real_path(path)
-        taken[place if place.exists() else real_path(str(path).rpartition(":")[0])] = "read too"
+        place = place if place.exists() else real_path(str(path).rpartition(":")[0])
+        taken[place] = "the output would overwrite this input"
     for path in filter(None, outputs):
         place = real_path(path)
         if place in taken:
-            raise InputError(f"{path}: is {taken[place]}; name another file")
-        taken[place] = "named twice"
+            raise InputError(f"{path}: {taken[place]}; name another file")
+        taken[place] = "two outputs have this name"
 
 
 @contextmanager
 def whole_file(path, size):
-    """A temporary name that becomes ``path`` when the block succeeds.
+    """Write to a temporary name, which becomes ``path`` when the block succeeds.
 
-    Whatever interrupts the block, no partial file is left. A link is followed.
+    If the block fails, no partial file is left. A link is followed.
 
     Parameters
     ----------
     path : str or Path
     size : int
-        Bytes that the file may need. Asked for beforehand: some image libraries write a
-        broken file to a full disk without a word.
+        Bytes that the file may need. The free space is checked first, since some image libraries
+        report no error when the disk is full.
 
     Raises
     ------
     InputError
-        If there is no room, or the file cannot be written.
+        If the disk has too little space, or the file cannot be written.
     """
     path, place = Path(path), real_path(path)
     try:
         free = shutil.disk_usage(place.parent).free
         if free < size:
             raise InputError(
-                f"{path}: cannot be written: it may need {size / 2**20:.1f} MiB and "
-                f"{free / 2**20:.1f} MiB are free"
+                f"{path}: cannot be written: it may need {size / 2**20:.1f} MiB, and the disk has "
+                f"{free / 2**20:.1f} MiB free"
             )
         with temporary_name(place) as partial:
             yield partial
@@ -150,7 +153,7 @@ def whole_file(path, size):
 
 
 def write_text(path, text):
-    """Write a text in UTF-8, whole or not at all.
+    """Write a text in UTF-8; a failure leaves no partial file.
 
     Raises
     ------

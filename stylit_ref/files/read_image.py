@@ -1,9 +1,8 @@
-"""Images in through OpenImageIO: PNG, TIFF, JPEG, (multilayer) EXR, ...
+"""Read images with OpenImageIO: PNG, TIFF, JPEG, (multilayer) EXR, ...
 
 Files are read at their own depth or converted to 8 bits (:mod:`stylit_ref.files.bit_depth`).
-An alpha channel that is opaque everywhere carries nothing and is dropped; otherwise
-colours are premultiplied by it, as OpenImageIO has it, so that averages of transparent
-pixels come out right.
+An alpha channel that is opaque everywhere is dropped. Otherwise OpenImageIO premultiplies the
+colours by it, so that averages of transparent pixels come out right.
 """
 
 import warnings
@@ -67,7 +66,7 @@ def read_guides(source_path: str | Path, target_path: str | Path) -> tuple[np.nd
     Returns
     -------
     source, target : (H, W, n) uint8
-        The numbers of channels still differ where neither is grey.
+        Their numbers of channels still differ if neither image is grey and the files differ.
     """
     read = list(map(_displayed, (source_path, target_path)))
     transparent = any(alpha is not None for _, alpha in read)
@@ -84,15 +83,15 @@ def read_guides(source_path: str | Path, target_path: str | Path) -> tuple[np.nd
 
 
 def _read(path):
-    """Pixels of a file or layer and the number of their alpha channel, or None."""
+    """Pixels of a file or layer, and the index of their alpha channel or None."""
     try:
         return _read_pixels(path)
-    except UnicodeDecodeError:  # of a channel's name, or of a message that quotes it
-        raise InputError(f"{path}: cannot be read: its header holds what is no text") from None
+    except UnicodeDecodeError:  # in a channel's name, or in a message that quotes it
+        raise InputError(f"{path}: cannot be read: a name in its header is not UTF-8") from None
 
 
 def _read_pixels(path):
-    """As :func:`_read`, where the header is text."""
+    """As :func:`_read`, if every name in the header is valid text."""
     file, layer = split_layer(path)
     part, channels = find_layer(file, layer)
     source = open_image(file)
@@ -101,8 +100,8 @@ def _read_pixels(path):
     stored = {str(spec.channelformat(channel)) for channel in channels}
     if not stored <= _DEPTHS.keys():
         raise InputError(
-            f"{path}: holds {', '.join(sorted(stored))} values; "
-            "8 or 16 bit integers or floating point are needed"
+            f"{path}: holds {', '.join(sorted(stored))} values; save it with 8-bit or 16-bit "
+            "integers, or as floating point"
         )
     depth = _DEPTHS[str(spec.format)] if len(stored) == 1 else "float"
     image = read_pixels(source, part, depth)
@@ -125,7 +124,7 @@ def _read_pixels(path):
 
 
 def _in_display_window(pixels, spec):
-    """Pixels of the data window that the display window has, 0 around them."""
+    """The pixels of the display window; those outside the data window are 0."""
     shown = np.zeros((spec.full_height, spec.full_width, spec.nchannels), pixels.dtype)
     y, x = spec.y - spec.full_y, spec.x - spec.full_x
     window, pixels = shown[max(y, 0) :, max(x, 0) :], pixels[max(-y, 0) :, max(-x, 0) :]
@@ -135,7 +134,7 @@ def _in_display_window(pixels, spec):
 
 
 def _upright(pixels, orientation):
-    """A view of pixels stored in one of the eight orientations of TIFF and Exif."""
+    """Turn pixels upright that are stored in one of the eight orientations of TIFF and Exif."""
     if orientation in (5, 6, 7, 8):
         pixels = pixels.swapaxes(0, 1)
     down = -1 if orientation in (3, 4, 7, 8) else 1
@@ -144,7 +143,7 @@ def _upright(pixels, orientation):
 
 
 def _drop_opaque(image, alpha_channel):
-    """Image and alpha channel without an alpha that is opaque everywhere."""
+    """Drop an alpha channel that is opaque everywhere."""
     if alpha_channel is not None:
         alpha = image[:, :, alpha_channel]
         opaque = 1 if alpha.dtype == np.float32 else np.iinfo(alpha.dtype).max
@@ -154,9 +153,9 @@ def _drop_opaque(image, alpha_channel):
 
 
 def _displayed(path):
-    """8-bit display values of a file or layer, and the number of their alpha channel, or None.
+    """8-bit display values of a file or layer, and the index of their alpha channel or None.
 
-    Says so if that clips more than highlights.
+    Warns if the conversion clips more than a few highlights.
     """
     image, alpha_channel = _drop_opaque(*_read(path))
     if image.dtype == np.float32:
@@ -166,5 +165,5 @@ def _displayed(path):
                 f"{path}: {clipped:.0%} of the values lie outside [0, 1] and are clipped",
                 stacklevel=3,
             )
-    rows = [to_uint8(row, alpha_channel) for row in image]  # each takes several times its memory
+    rows = [to_uint8(row, alpha_channel) for row in image]  # a conversion takes much memory
     return np.stack(rows), alpha_channel

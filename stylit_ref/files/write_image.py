@@ -1,4 +1,4 @@
-"""Images out through OpenImageIO: PNG, TIFF, JPEG, EXR, ..."""
+"""Write images with OpenImageIO: PNG, TIFF, JPEG, EXR, ..."""
 
 from pathlib import Path
 
@@ -12,22 +12,22 @@ from stylit_ref.files.image_file import read_pixels, reason_of
 from stylit_ref.files.output_file import check_writable, real_path, temporary_name, whole_file
 
 FLOAT_FORMATS = (".exr", ".hdr", ".pfm")
-"""Files that hold scene-linear floating point."""
+"""Suffixes of formats that store scene-linear floating point."""
 
 
 def write_image(path: str | Path, image: np.ndarray):
-    """Write an image, whole or not at all.
+    """Write an image; a failure leaves no partial file.
 
-    Integers go to a floating-point format as scene-linear light and floating point to
-    an integer format as 8-bit display values; otherwise the depth is kept as far as
-    the format goes (JPEG has 8 bits).
+    Integers become scene-linear light in a floating-point format. Floating point becomes 8-bit
+    display values in an integer format. Otherwise the bit depth is kept if the format has it
+    (JPEG has 8 bits only).
 
     Parameters
     ----------
     path : str or Path
         The suffix names the format.
     image : (H, W) or (H, W, n) uint8, uint16 or float32
-        2 and 4 channels end in alpha, premultiplied.
+        With 2 or 4 channels the last is alpha, and the others are premultiplied by it.
 
     Raises
     ------
@@ -60,7 +60,7 @@ def write_image(path: str | Path, image: np.ndarray):
     if alpha_channel is not None:
         spec.alpha_channel = alpha_channel
         spec.channelnames = ("Y", "A") if channels == 2 else ("R", "G", "B", "A")
-    # Compression may not pay: allow for pixels as they are, 4 bytes in a floating-point file.
+    # Compression may save nothing: allow for uncompressed pixels.
     depth = 4 if stored == "float" else image.itemsize
     with whole_file(path, image.size * depth * 9 // 8 + 2**16) as partial:
         output = oiio.ImageOutput.create(str(partial))
@@ -68,13 +68,13 @@ def write_image(path: str | Path, image: np.ndarray):
         if not (output.close() and written):
             reason = reason_of(output.geterror() or oiio.geterror())
             raise InputError(f"{path}: cannot be written: {reason}")
-        # Some writers fail without a word, on a full disk or for a size that they do not know.
+        # Some writers report no error when the disk is full or the format lacks this image size.
         if not _reads_back(partial, image.shape):
-            raise InputError(f"{path}: cannot be written: what was written cannot be read")
+            raise InputError(f"{path}: cannot be written: the finished file cannot be read")
 
 
 def check_image_writable(path: str | Path, channels: int):
-    """Refuse early an output that :func:`write_image` could not write.
+    """Refuse a path that :func:`write_image` could not write, before the work begins.
 
     Parameters
     ----------
@@ -87,18 +87,17 @@ def check_image_writable(path: str | Path, channels: int):
     """
     path = Path(path)
     output = oiio.ImageOutput.create(str(path))
-    if output is None or output.format_name() in ("null", "term"):  # they write no file
+    if output is None or output.format_name() in ("null", "term"):  # these write no file
         oiio.geterror()
         raise InputError(
-            f"{path}: no image format is known by the suffix '{path.suffix}'; "
-            "use .png, .tif or .exr"
+            f"{path}: no image format has the suffix '{path.suffix}'; use .png, .tif or .exr"
         )
     if output.format_name() == "gif":
         raise InputError(f"{path}: GIF files hold only 256 colours; use .png, .tif or .exr")
     if channels in (2, 4) and not output.supports("alpha"):
         raise InputError(
-            f"{path}: {output.format_name()} files have no transparency and the image has "
-            "an alpha channel; use .png, .tif or .exr"
+            f"{path}: {output.format_name()} files cannot store the image's transparency; "
+            "use .png, .tif or .exr"
         )
     check_writable(path)
     with temporary_name(real_path(path)) as probe:

@@ -32,9 +32,9 @@ class TestRefusals:
             ("--output", "none/out.png", "does not exist"),
             ("--output", "out.docx", "'.docx'"),
             ("--nnf", "none/nnf.npy", "does not exist"),
-            ("--nnf", "nnf.txt", "written as .npy"),
-            ("--save-levels", "style.png", "style.png: cannot be made"),
-            ("--save-levels", "style.png/deep", "deep: cannot be made"),
+            ("--nnf", "nnf.txt", "must end in .npy"),
+            ("--save-levels", "style.png", "style.png: is a file; name a folder"),
+            ("--save-levels", "style.png/deep", "deep: the folder cannot be made"),
         ],
     )
     def test_unwritable_outputs(self, scene, capsys, option, value, message):
@@ -48,19 +48,24 @@ class TestRefusals:
         code = run(
             folder, "--mask", folder / "mask.png", "--output", folder / ".." / folder.name / taken
         )
-        assert f"{taken}: is read too; name another file" in refused(capsys, code)
+        assert f"{taken}: the output would overwrite this input; name another file" in refused(
+            capsys, code
+        )
         assert (folder / taken).read_bytes() == before
 
     def test_outputs_of_one_name(self, scene, capsys):
         folder = scene[0]
         code = run(folder, "--save-levels", folder / "out.png")
-        assert "out.png: is named twice" in refused(capsys, code)
+        assert "out.png: two outputs have this name" in refused(capsys, code)
 
     def test_a_full_disk(self, scene, capsys, monkeypatch):
         free = shutil.disk_usage(scene[0])._replace(free=5000)
         monkeypatch.setattr(shutil, "disk_usage", lambda _: free)
         message = refused(capsys, run(scene[0]))
-        assert "out.png: cannot be written: it may need 0.1 MiB and 0.0 MiB are free" in message
+        assert (
+            "out.png: cannot be written: it may need 0.1 MiB, and the disk has 0.0 MiB free"
+            in message
+        )
 
     @pytest.mark.skipif(os.geteuid() == 0, reason="root may write anywhere")
     def test_folder_without_permission(self, scene, capsys, tmp_path):

@@ -73,7 +73,7 @@ def test_presets_fill_in_what_is_not_said(scene, seen):
         (["--method", "stylit", "--error-limit", 0.5], "--error-limit is 0.5"),
         (["--patch-size", 6], "--patch-size is 6; it must be an odd"),
         (["--seed", -1], "--seed is -1"),
-        (["--save-levels", "/proc/levels"], "/proc/levels: cannot be made"),
+        (["--save-levels", "/proc/levels"], "/proc/levels: the folder cannot be made"),
         (["--save-levels", "x" * 300], "cannot be made: File name too long"),
         (["--method", "stylit", "--schedule", "scanline"], "--schedule is 'scanline'; it is for"),
         (["--backend", "cuda:live", "--method", "stylit"], "has no kernels for it; choose 'cpu'"),

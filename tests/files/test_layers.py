@@ -47,13 +47,13 @@ def test_luminance_and_chroma_give_the_luminance(tmp_path):
 
 def test_alpha_alone_is_not_the_image(tmp_path):
     file = write_exr(tmp_path / "a.exr", {"A": 1, "LDE.R": 0.1, "LSE.R": 0.2})
-    with pytest.raises(InputError, match="no unnamed layer"):
+    with pytest.raises(InputError, match="all its layers have names"):
         read_image(file)
 
 
 def test_missing_layer_lists_what_there_is(tmp_path):
     file = write_exr(tmp_path / "a.exr", {"LDE.R": 0.1, "LSE.R": 0.2})
-    with pytest.raises(InputError, match="no layer 'LDDE'; its named layers are: LDE, LSE"):
+    with pytest.raises(InputError, match="no layer 'LDDE'; its layers are: LDE, LSE"):
         read_image(f"{file}:LDDE")
-    with pytest.raises(InputError, match="no unnamed layer; its named layers are: LDE, LSE"):
+    with pytest.raises(InputError, match=r"all its layers have names; add one as .*: LDE, LSE"):
         read_image(file)

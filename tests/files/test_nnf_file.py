@@ -43,7 +43,7 @@ def test_half_a_file_is_refused(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("name", "message"), [("nnf.txt", "written as .npy"), ("none/nnf.npy", "does not exist")]
+    ("name", "message"), [("nnf.txt", "must end in .npy"), ("none/nnf.npy", "does not exist")]
 )
 def test_unwritable_outputs_are_refused_early(tmp_path, name, message):
     with pytest.raises(InputError, match=message):

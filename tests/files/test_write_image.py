@@ -81,7 +81,7 @@ def test_a_format_that_cannot_hold_the_image_is_refused_early(tmp_path, image):
     ("name", "message"),
     [
         ("none/a.png", "folder .*none does not exist"),
-        ("a.xyz", "no image format is known by the suffix '.xyz'"),
+        ("a.xyz", "no image format has the suffix '.xyz'"),
         ("a", "suffix ''"),
         ("a.gif", "256 colours"),
         ("taken.png", "is a folder"),
@@ -95,7 +95,7 @@ def test_unwritable_outputs(tmp_path, image, name, message):
 
 
 def test_jpeg_has_no_alpha(tmp_path, image):
-    with pytest.raises(InputError, match="jpeg files have no transparency"):
+    with pytest.raises(InputError, match="jpeg files cannot store the image's transparency"):
         write_image(tmp_path / "a.jpg", np.dstack([image, image[:, :, 0]]))
 
 

@@ -56,7 +56,7 @@ def test_a_field_that_is_a_pipe():
     arguments = replay(b"")
     Path("hostile.npy").unlink()
     os.mkfifo("hostile.npy")
-    refused(arguments, "hostile.npy: is no regular file")
+    refused(arguments, "hostile.npy: is a device or a pipe; name an ordinary file")
 
 
 @pytest.mark.parametrize("dtype", ["float64", ">i4"])

@@ -1,4 +1,4 @@
-"""Hostile names, links, pipes and folders: a sentence and code 2, or what a user expects."""
+"""Hostile names, links, pipes and folders: one sentence and code 2, or the expected result."""
 
 import os
 from pathlib import Path
@@ -15,7 +15,7 @@ def made(name="out.png"):
     assert read_image(name).shape == (11, 14, 3)
 
 
-# Names of what is read
+# Names of inputs
 
 
 def test_a_missing_image():
@@ -24,20 +24,22 @@ def test_a_missing_image():
 
 def test_a_folder_as_an_image():
     Path("levels.png").mkdir()
-    refused(run("--style", "levels.png"), "levels.png: is a folder, not an image")
+    refused(run("--style", "levels.png"), "levels.png: is a folder; name an image file")
 
 
 def test_a_link_to_itself_as_an_image():
     Path("loop.png").symlink_to("loop.png")
-    refused(run("--style", "loop.png"), "loop.png: cannot be a file: …")
+    refused(
+        run("--style", "loop.png"), "loop.png: is a link that leads back to itself; name a file"
+    )
 
 
 def test_a_name_of_300_letters():
-    refused(run("--style", f"{'x' * 300}.png"), "…x.png: cannot be a file: File name too long")
+    refused(run("--style", f"{'x' * 300}.png"), "…x.png: cannot be used: File name too long")
 
 
 def test_a_name_that_is_no_text_in_utf_8():
-    refused(run("--style", "\udcff.png"), "…: cannot be a file: it is no text in UTF-8")
+    refused(run("--style", "\udcff.png"), "…: is not valid UTF-8; give the file another name")
 
 
 def test_names_with_spaces_and_unicode():
@@ -64,7 +66,7 @@ def test_an_option_that_would_act_on_the_terminal():
     refused(run("--a\rb\x07"), "unrecognized arguments: --a b� …")
 
 
-# Names of what is written
+# Names of outputs
 
 
 def test_a_name_that_begins_with_a_dash():
@@ -83,12 +85,12 @@ def test_an_output_that_is_a_folder():
 
 def test_an_output_that_is_a_pipe():
     os.mkfifo("pipe.png")
-    refused(run("--output", "pipe.png"), "pipe.png: is no regular file")
+    refused(run("--output", "pipe.png"), "pipe.png: is a device or a pipe; name an ordinary file")
 
 
 def test_a_saved_field_that_is_a_pipe():
     os.mkfifo("pipe.npy")
-    refused(run("--nnf", "pipe.npy"), "pipe.npy: is no regular file")
+    refused(run("--nnf", "pipe.npy"), "pipe.npy: is a device or a pipe; name an ordinary file")
 
 
 def test_an_output_where_nothing_can_be_made():
@@ -98,7 +100,7 @@ def test_an_output_where_nothing_can_be_made():
 def test_an_output_of_a_format_that_makes_no_file():
     refused(
         run("--output", "out.null"),
-        "out.null: no image format is known by the suffix '.null'; use .png, .tif or .exr",
+        "out.null: no image format has the suffix '.null'; use .png, .tif or .exr",
     )
 
 
@@ -128,19 +130,27 @@ def test_an_output_that_is_a_link_into_a_missing_folder():
 
 def test_an_output_that_is_a_link_to_itself():
     Path("loop.png").symlink_to("loop.png")
-    refused(run("--output", "loop.png"), "loop.png: cannot be a file: it is a link to itself")
+    refused(
+        run("--output", "loop.png"), "loop.png: is a link that leads back to itself; name a file"
+    )
 
 
-# Outputs that would overwrite
+# Outputs that would overwrite other files
 
 
 def test_an_output_that_is_the_style():
-    refused(run("--output", "style.png"), "style.png: is read too; name another file")
+    refused(
+        run("--output", "style.png"),
+        "style.png: the output would overwrite this input; name another file",
+    )
 
 
 def test_an_output_that_is_a_link_to_the_style():
     Path("link.png").symlink_to("style.png")
-    refused(run("--output", "link.png"), "link.png: is read too; name another file")
+    refused(
+        run("--output", "link.png"),
+        "link.png: the output would overwrite this input; name another file",
+    )
 
 
 def test_an_output_that_is_a_hard_link_of_the_style_leaves_the_style_alone():
@@ -155,21 +165,21 @@ def test_a_style_that_saved_levels_would_overwrite():
     Path("style.png").rename("level_1.png")
     refused(
         run("--style", "level_1.png", "--save-levels", "."),
-        "level_1.png: is read too; name another file",
+        "level_1.png: the output would overwrite this input; name another file",
     )
 
 
 def test_an_output_among_the_saved_levels():
     refused(
         run("--output", "level_2.png", "--save-levels", "."),
-        "level_2.png: is named twice; name another file",
+        "level_2.png: two outputs have this name; name another file",
     )
 
 
 def test_an_output_among_the_saved_guide_maps():
     refused(
         run("--output", "guide_map_2.png", "--save-levels", ".", "--method", "guide_map"),
-        "guide_map_2.png: is named twice; name another file",
+        "guide_map_2.png: two outputs have this name; name another file",
     )
 
 
@@ -182,11 +192,11 @@ def test_an_output_named_as_a_guide_map_of_a_method_without():
 
 
 def test_an_example_in_a_folder_of_300_letters():
-    refused(["example", "x" * 300], "…x: cannot be a file: File name too long")
+    refused(["example", "x" * 300], "…x: cannot be used: File name too long")
 
 
 def test_an_example_in_a_folder_whose_name_is_no_text_in_utf_8():
-    refused(["example", "a\udcffb"], "…: cannot be a file: it is no text in UTF-8")
+    refused(["example", "a\udcffb"], "…: is not valid UTF-8; give the file another name")
 
 
 def test_an_example_in_a_file():
