@@ -1,4 +1,4 @@
 """Test vectors that pin every stage of the algorithm, and a checker for ports of it.
 
-``SPEC.md`` says what they hold to.
+``SPEC.md`` describes the algorithm that they pin.
 """

@@ -1,4 +1,4 @@
-"""``python -m oracle``: the checker, where the cases lie, and the making of a new version."""
+"""``python -m oracle``: check a port, print the folder of the cases, write a new version."""
 
 import argparse
 import signal
@@ -11,20 +11,20 @@ from stylit_ref.errors import InputError
 def main(arguments: list[str] | None = None) -> int:
     """Run the command line; returns the exit code.
 
-    0 on success, 1 where a port differs, 2 for input that cannot be used, 130 when interrupted.
+    0 on success, 1 if a port differs, 2 if the input cannot be used, 130 if interrupted.
     """
     parser = argparse.ArgumentParser(
         prog="python -m oracle",
-        description="Check a port of the algorithm against test vectors of every stage. A program, "
-        "or a module with run_case, is checked with NumPy alone.",
+        description="Check a port of the algorithm against test vectors of every stage. To check a "
+        "program, or a module with run_case, NumPy is enough.",
         allow_abbrev=False,
     )
     commands = parser.add_subparsers(required=True, metavar="{check,cases,make}")
     add_commands(commands)
     make = commands.add_parser(
         "make",
-        help="write the cases of a version, until it is published",
-        description="Write the cases of a version, until it is published.",
+        help="write the cases of a version that is not yet published",
+        description="Write the cases of a version that is not yet published.",
         allow_abbrev=False,
     )
     make.set_defaults(command=_make)
@@ -42,7 +42,7 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 def _make(options):
-    from oracle.make import make_version  # needs all that the library needs
+    from oracle.make import make_version  # imports the whole library
 
     make_version(version_of(options))
     return 0

@@ -1,4 +1,4 @@
-"""Cases: a stage of the algorithm with its input and what it must give."""
+"""Cases: a stage of the algorithm, its input and its expected output."""
 
 import hashlib
 import json
@@ -10,24 +10,24 @@ from oracle.families import folder_of, stages_of
 
 
 class CaseError(Exception):
-    """One sentence on an array that cannot be read, or on a port that gives none."""
+    """An array cannot be read, or a port gives none; the message is one sentence."""
 
 
 @dataclass(frozen=True)
 class Case:
-    """A stage, its input, and what it must give.
+    """A stage, its input and its expected output.
 
     Attributes
     ----------
     version : str
-        As :class:`oracle.families.Family` has it.
+        One of :class:`oracle.families.Family`.
     stage, name : str
     section : str
-        Of the version's SPEC.md.
+        Section of the version's SPEC.md.
     parameters : dict
         Numbers, text and lists.
     tolerances : dict of str to float
-        Relative, of expected arrays that need not be equal bit for bit.
+        Relative tolerances of the expected arrays that need not be equal bit for bit.
     arrays, expected : dict of str to array
     """
 
@@ -47,7 +47,7 @@ class Case:
 
 
 def write_input(case, folder):
-    """Write what a port sees of a case."""
+    """Write the part of a case that a port may see."""
     folder.mkdir(parents=True, exist_ok=True)
     description = {
         "version": case.version,
@@ -63,21 +63,21 @@ def write_input(case, folder):
 
 
 def write_case(case):
-    """Write a case with what it must give."""
+    """Write a case with its expected output."""
     folder = folder_of(case.version) / case.stage / case.name
     write_input(case, folder)
     _write_arrays(folder / "expected", case.expected)
 
 
 def write_digests(version):
-    """Write the SHA-256 of every file of a version, so that a change does not go unnoticed."""
+    """Write the SHA-256 of every file of a version, so that a later change is noticed."""
     folder = folder_of(version)
     lines = [f"{_sha256(file)}  {file.relative_to(folder).as_posix()}" for file in _files(folder)]
     (folder / "SHA256SUMS").write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 
 def damaged_files(version):
-    """Files of a version that are missing, differ from its digests, or have none.
+    """Files of a version that are missing, that differ from their digest, or that have none.
 
     Returns
     -------
@@ -92,7 +92,7 @@ def damaged_files(version):
             damaged[name] = "is missing"
         elif _sha256(folder / name) != digest:
             damaged[name] = "differs from SHA256SUMS"
-    for file in _files(folder):  # what is no part of a case, as .DS_Store, does no harm
+    for file in _files(folder):  # other files, such as .DS_Store, do no harm
         name = file.relative_to(folder).as_posix()
         if file.suffix in (".json", ".npy") and name not in digests:
             damaged[name] = "is not in SHA256SUMS"
@@ -100,7 +100,7 @@ def damaged_files(version):
 
 
 def read_cases(version, stages=None):
-    """The cases of some stages, or of all, in the order of the stages."""
+    """Read the cases of some stages, or of all, in the order of the stages."""
     for stage in stages_of(version) if stages is None else stages:
         for file in sorted((folder_of(version) / stage).glob("*/case.json")):
             description = json.loads(file.read_text(encoding="utf-8"))
@@ -117,21 +117,21 @@ def read_cases(version, stages=None):
 
 
 def read_array(file):
-    """An array of a file; never an object that was pickled.
+    """Read the array of a file; a pickled object is refused.
 
     Raises
     ------
     CaseError
-        If there is none.
+        If the file holds no array.
     """
     if not file.exists():
-        raise CaseError(f"{file.name} is not there")
-    if not file.is_file():  # a pipe would be waited for
-        raise CaseError(f"{file.name} is no file")
+        raise CaseError(f"{file.name} is missing")
+    if not file.is_file():  # reading a pipe might never end
+        raise CaseError(f"{file.name} is not a regular file")
     try:
         with file.open("rb") as stream:
             return np.lib.format.read_array(stream, allow_pickle=False)
-    except Exception as error:  # whatever the text of a header brings NumPy's parser to
+    except Exception as error:  # a broken header can make NumPy's parser raise anything
         raise CaseError(f"{file.name} cannot be read as an array: {error}") from None
 
 

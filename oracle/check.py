@@ -1,4 +1,4 @@
-"""A port, the cases and what became of each."""
+"""Run a port on the cases and report the outcome of each."""
 
 from collections.abc import Callable, Collection, Iterator, Sequence
 from functools import partial
@@ -28,8 +28,8 @@ def check(
     expected_failures : collection of str
         Titles of cases that must fail, ``*`` standing for anything.
     jobs : int
-        Processes that share the cases; with more than one the port is sent to them, and only a
-        main thread may ask for it.
+        Processes that share the cases. With more than one, the port must be picklable and the
+        call must come from the main thread.
 
     Yields
     ------
@@ -39,7 +39,7 @@ def check(
     Raises
     ------
     NoPortError
-        If the port cannot be started, or ended the process of the checker it ran in.
+        If the port cannot be started, or ends the checker's process that it runs in.
     """
     one = partial(outcome_of, port, expected_failures)
     cases = read_cases(version, stages)

@@ -1,4 +1,4 @@
-"""``oracle check`` and ``oracle cases``, of ``stylit-ref`` and of ``python -m oracle``."""
+"""The commands ``check`` and ``cases`` of ``stylit-ref oracle`` and ``python -m oracle``."""
 
 import os
 import sys
@@ -23,46 +23,51 @@ def add_commands(commands) -> None:
     Parameters
     ----------
     commands : argparse._SubParsersAction
-        What ``add_subparsers`` returns. Options of a command have its function as ``command``:
-        ``options.command(options)`` runs it, returns the exit code, and raises InputError.
+        The return value of ``add_subparsers``. To run the chosen command, call
+        ``options.command(options)``: it returns the exit code or raises InputError.
     """
     one = commands.add_parser(
         "check",
         help="name the first stage, pixel and value that differ",
         description="Run a port on the cases and name the first stage, pixel and value that "
-        "differ. Without one, this library's own passes are checked.",
+        "differ. Without --port and --module, the library's own passes are checked.",
         allow_abbrev=False,
     )
     one.set_defaults(command=check_port)
     one.add_argument(
         "--port", metavar="COMMAND",
-        help="runs the port on the case in folder {input}, its results go to folder {output}",
+        help="command that reads one case from the folder {input} and writes its results to the "
+        "folder {output}",
     )  # fmt: skip
     one.add_argument(
         "--module", metavar="NAME",
-        help="Python module with run_case(stage, parameters, arrays), or with the passes",
+        help="Python module that has run_case(stage, parameters, arrays), or some of the passes of "
+        "stylit_ref.passes",
     )  # fmt: skip
     one.add_argument(
         "--timeout", type=float, metavar="SECONDS",
-        help=f"longest that a --port may take for a case (default {TIMEOUT})",
+        help=f"longest time that the --port command may take for one case (default {TIMEOUT})",
     )  # fmt: skip
     one.add_argument(
         "--jobs", type=int, default=1, metavar="N",
-        help="processes that share the cases (default %(default)s)",
+        help="number of processes that share the cases (default %(default)s)",
     )  # fmt: skip
-    one.add_argument("--stages", metavar="A,B", help="stages to check (default: all)")
     one.add_argument(
-        "--xfail", metavar="FILE", help="cases that must fail, a line each; * stands for anything"
+        "--stages", metavar="A,B", help="check these stages only, commas between (default: all)"
     )
-    one.add_argument("--json", metavar="FILE", help="write what became of every case")
+    one.add_argument(
+        "--xfail", metavar="FILE",
+        help="list of the cases that must fail, one STAGE/NAME a line; * stands for any text",
+    )  # fmt: skip
+    one.add_argument("--json", metavar="FILE", help="write the outcome of every case to FILE")
     one.add_argument(
         "--cases", metavar="VERSION",
-        help=f"{', '.join(FAMILY_OF)} (default {NEWEST})",
+        help=f"version of the cases: {', '.join(FAMILY_OF)} (default {NEWEST})",
     )  # fmt: skip
     where = commands.add_parser(
         "cases",
         help="print the folder of the cases",
-        description="Print the folder in which the cases of a version lie.",
+        description="Print the folder that holds the cases of a version.",
         allow_abbrev=False,
     )
     where.set_defaults(command=print_folder)
@@ -70,10 +75,11 @@ def add_commands(commands) -> None:
 
 
 def add_version(parser) -> None:
-    """Add a version as an argument of its own."""
+    """Add the version as a positional argument."""
     parser.add_argument(
-        "cases", nargs="?", metavar="VERSION", help=f"{', '.join(FAMILY_OF)} (default {NEWEST})"
-    )
+        "cases", nargs="?", metavar="VERSION",
+        help=f"version of the cases: {', '.join(FAMILY_OF)} (default {NEWEST})",
+    )  # fmt: skip
 
 
 def version_of(options) -> str:
@@ -82,22 +88,24 @@ def version_of(options) -> str:
     Raises
     ------
     InputError
-        If there is none such.
+        If there is no such version.
     """
     version = NEWEST if options.cases is None else options.cases
     if version not in FAMILY_OF:
-        raise InputError(f"there are no cases {version!r}; there are {', '.join(FAMILY_OF)}")
+        raise InputError(
+            f"there is no version {version!r} of the cases; choose one of: {', '.join(FAMILY_OF)}"
+        )
     return version
 
 
 def print_folder(options) -> int:
-    """Print where the cases of a version lie."""
+    """Print the folder of the cases of a version."""
     print(folder_of(version_of(options)))
     return 0
 
 
 def check_port(options) -> int:
-    """Check one port, or without one this library's own passes.
+    """Check a port, or the library's own passes if the options name none.
 
     Parameters
     ----------
@@ -112,12 +120,12 @@ def check_port(options) -> int:
     Raises
     ------
     InputError
-        If the options name what is not there, or nothing was checked.
+        If an option cannot be used, or nothing was checked.
     """
     version = version_of(options)
     stages = _stages(options.stages, stages_of(version))
     for name, damage in damaged_files(version).items():
-        raise InputError(f"{folder_of(version) / name}: {damage}")
+        raise InputError(f"{folder_of(version) / name}: {damage}; install stylit-ref again")
     expected = _expected_failures(options.xfail, version)
     if options.json is not None:
         check_writable(options.json)
@@ -131,7 +139,7 @@ def check_port(options) -> int:
         outcomes = tell_failures(progress(checked, total))
     statuses = {outcome.status for outcome in outcomes}
     if statuses == {NOT_OFFERED}:
-        raise InputError("nothing was checked: none of these stages is offered")
+        raise InputError("nothing was checked: the port offers none of these stages")
     print(summary(version, outcomes))
     code = int(not statuses.isdisjoint((FAILED, UNEXPECTED)))
     if options.json is not None:
@@ -140,14 +148,15 @@ def check_port(options) -> int:
 
 
 def _stages(text, known):
-    """Stages of a list with commas, in the order of all; without a list all."""
+    """The stages in a text with commas, or all stages if it is None; in the order of all."""
     if text is None:
         return known
     wanted = [name.strip() for name in text.split(",")]
     for name in wanted:
         if name not in known:
             raise InputError(
-                f"{name!r} is no stage; there are {', '.join(known)}", parameter="stages"
+                f"names {name!r}, which is not a stage; the stages are {', '.join(known)}",
+                parameter="stages",
             )
     return [stage for stage in known if stage in wanted]
 
@@ -155,41 +164,41 @@ def _stages(text, known):
 def _port(options, version):
     if options.port is not None:
         if options.module is not None:
-            raise InputError("--port and --module exclude each other")
+            raise InputError("--port and --module cannot be used together; leave one out")
         timeout = TIMEOUT if options.timeout is None else options.timeout
         return CommandPort(options.port, timeout)
     if options.timeout is not None:
-        raise InputError("--timeout is for a --port; a module is not stopped")
-    sys.path.insert(0, os.getcwd())  # modules beside the reader, as for python -m
+        raise InputError("--timeout needs --port; a module cannot be stopped")
+    sys.path.insert(0, os.getcwd())  # finds modules in the working directory, as python -m does
     if options.module is not None and hasattr(import_port(options.module), "run_case"):
         return ModulePort(options.module)
     return _passes_port(version, options.module)
 
 
 def _passes_port(version, module):
-    """Passes are checked within the library, which needs more than NumPy."""
+    """A port for a module of passes; to check one takes the whole library and its dependencies."""
     try:
         from oracle.stages.passes_port import PassesPort
     except ModuleNotFoundError as error:
         raise InputError(
-            f"passes are checked within the library, which needs {error.name}: install stylit-ref "
-            "with all that it needs, or name a --port or a --module with run_case"
+            f"to check passes takes the package {error.name}, which is missing; install stylit-ref "
+            "with its dependencies, or give a --port or a --module with run_case"
         ) from None
     return PassesPort(version, module)
 
 
 def _expected_failures(file, version):
-    """Patterns of titles, one a line; what follows # is a remark."""
+    """The patterns in a file, one a line; # begins a comment."""
     if file is None:
         return set()
     try:
         lines = Path(file).read_text(encoding="utf-8-sig").splitlines()
     except (OSError, UnicodeDecodeError) as error:
-        reason = getattr(error, "strerror", None) or "it is no text in UTF-8"
+        reason = getattr(error, "strerror", None) or "it is not UTF-8 text"
         raise InputError(f"{file}: cannot be read: {reason}") from None
     patterns = {line.partition("#")[0].strip() for line in lines} - {""}
     titles = [case.title for case in read_cases(version)]
     for pattern in sorted(patterns):
         if not matching(titles, pattern):
-            raise InputError(f"{file}: {pattern!r} names no case; cases are named STAGE/NAME")
+            raise InputError(f"{file}: {pattern!r} matches no case; write STAGE/NAME")
     return patterns

@@ -1,4 +1,4 @@
-"""What a port gives beside what it must give: the first array, element and value that differ."""
+"""Compare a port's output with the expected one: the first array, element and value that differ."""
 
 import math
 from collections.abc import Callable, Collection
@@ -20,25 +20,25 @@ STATUSES = PASSED, FAILED, EXPECTED, UNEXPECTED, NOT_OFFERED = (
 
 
 class NotOfferedError(Exception):
-    """A port does not do a stage."""
+    """The port does not offer a stage."""
 
 
 class NoPortError(InputError):
-    """A port cannot be used, whatever the case."""
+    """The port cannot be used for any case."""
 
 
 class Difference(NamedTuple):
-    """What is wrong with a port's output.
+    """How a port's output differs from the expected one.
 
     Attributes
     ----------
     message : str
     array : str or None
-        The output concerned; None where the port failed before there was any.
+        Name of the output that differs; None if the port failed before it wrote any.
     index : list of int or None
         The first element that differs.
     found, expected : int, float, bool or None
-        None also for what is no finite number: JSON has none, the message says it.
+        None also for infinity and NaN, which JSON cannot hold; the message has them.
     """
 
     message: str
@@ -49,7 +49,7 @@ class Difference(NamedTuple):
 
 
 class Outcome(NamedTuple):
-    """What became of a case.
+    """The result of checking a case.
 
     Attributes
     ----------
@@ -80,7 +80,7 @@ def outcome_of(
     port : callable
         ``(case) -> dict of str to array``.
     expected_failures : collection of str
-        Titles of cases that must fail, ``*`` standing for anything.
+        Titles of cases that must fail; ``*`` stands for any text.
     case : Case
 
     Returns
@@ -90,7 +90,7 @@ def outcome_of(
     Raises
     ------
     NoPortError
-        If the port cannot be used at all. Whatever else it raises is a failure of this case.
+        If the port cannot be used at all. Any other exception counts as a failure of this case.
     """
     expected = any(fnmatchcase(case.title, pattern) for pattern in expected_failures)
     difference = None
@@ -103,7 +103,7 @@ def outcome_of(
         raise
     except CaseError as error:
         difference, status = Difference(str(error)), FAILED
-    except (Exception, SystemExit) as error:  # a module's own may say anything
+    except (Exception, SystemExit) as error:  # a port's message may hold any characters
         message = f"{type(error).__name__}: {error}".encode(errors="backslashreplace").decode()
         difference, status = Difference(message), FAILED
     if expected:
@@ -112,10 +112,10 @@ def outcome_of(
 
 
 def first_difference(case: Case, found: dict) -> Difference | None:
-    """The first output that is not what it must be, in the order of their names."""
+    """The first output, by name, that differs from the expected one."""
     for name, expected in case.expected.items():
         if name not in found:
-            return Difference(f"{name} is not there", name)
+            return Difference(f"{name} is missing", name)
         difference = _difference(name, np.asarray(found[name]), expected, case.tolerances.get(name))
         if difference:
             return difference

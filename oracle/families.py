@@ -1,4 +1,4 @@
-"""Which systems have cases: a row each, and a folder of versions."""
+"""The systems that have cases, and the versions of each."""
 
 from pathlib import Path
 from typing import NamedTuple
@@ -11,11 +11,11 @@ class Family(NamedTuple):
     ----------
     name : str
     versions : tuple of str
-        Their folders below this one, oldest first, by which ``--cases`` names them: the text is
-        ``SPEC.md`` beside them. A version never changes; what would change it is the next one.
+        Their folders below this one, oldest first; ``--cases`` takes these names. A published
+        version never changes: any change makes a new version.
     sections : dict of str to str
-        Section of the text of every stage. In an order in which a stage needs only those before
-        it: the first that fails is the one to mend.
+        The section of SPEC.md that describes each stage. A stage builds only on stages before
+        it, so the first stage that fails is the one to mend.
     """
 
     name: str
@@ -60,22 +60,22 @@ FAMILIES = (STYLIZATION,)
 FAMILY_OF = {version: family for family in FAMILIES for version in family.versions}
 
 NEWEST = STYLIZATION.versions[-1]
-"""The version that is checked where none is named."""
+"""The version that is checked by default."""
 
 
 def folder_of(version: str) -> Path:
-    """Where the cases of a version lie."""
+    """The folder of the cases of a version."""
     return Path(__file__).parent / version
 
 
 def stages_of(version: str) -> tuple[str, ...]:
-    """The stages that a version has cases of; a later one of its family may have more."""
+    """The stages that a version has cases of; later versions may have more."""
     folder = folder_of(version)
     return tuple(stage for stage in FAMILY_OF[version].sections if (folder / stage).is_dir())
 
 
 def spec_of(version: str) -> Path:
-    """The text that the cases of a version pin: an older one's is kept among them."""
+    """The SPEC.md of a version; that of an older version lies among its cases."""
     folder = folder_of(version)
     is_newest = version == FAMILY_OF[version].versions[-1]
     return (folder.parent if is_newest else folder) / "SPEC.md"

@@ -1,4 +1,4 @@
-"""Ports that need nothing of the library: a program, or a module with ``run_case``."""
+"""Ports that do not use the library: a program, or a module with ``run_case``."""
 
 import contextlib
 import os
@@ -17,14 +17,14 @@ from oracle.compare import NoPortError, NotOfferedError
 from stylit_ref.errors import InputError, one_line
 
 TIMEOUT = 60
-"""Seconds that a program may take for a case where nobody says otherwise."""
+"""Seconds that a program may take for a case by default."""
 
 EXIT_NOT_OFFERED = 77
-"""Exit code of a program that does not do the stage: that of a skipped test in Automake, Meson."""
+"""Exit code of a program that does not offer the stage: a skipped test's in Automake and Meson."""
 
 
 class CommandPort:
-    """A port that is a command, ``{input}`` and ``{output}`` in the places of two folders.
+    """A port that is a command; ``{input}`` and ``{output}`` in it stand for two folders.
 
     Parameters
     ----------
@@ -35,22 +35,22 @@ class CommandPort:
     Raises
     ------
     InputError
-        If the command lacks one of them, there is no such program, or no such time.
+        If the command lacks one of them, its program is not found, or the timeout is not positive.
     """
 
     def __init__(self, command: str, timeout: float = TIMEOUT):
         if not timeout > 0:
             raise InputError(f"is {timeout:g}; it must be above 0", parameter="timeout")
         if "{input}" not in command or "{output}" not in command:
-            raise InputError(f"{command!r} must name {{input}} and {{output}}", parameter="port")
+            raise InputError(f"{command!r} must contain {{input}} and {{output}}", parameter="port")
         try:
             self.words = shlex.split(command)
         except ValueError as error:
-            raise InputError(f"{command!r} is no command: {error}", parameter="port") from None
+            raise InputError(f"{command!r} is not a command: {error}", parameter="port") from None
         if not shutil.which(self.words[0]):
             program = self.words[0]
             raise InputError(
-                f"{command!r}: there is no program {program!r} that can be run", parameter="port"
+                f"{command!r} cannot be run: there is no program {program!r}", parameter="port"
             )
         self.timeout = timeout
 
@@ -73,7 +73,10 @@ def _filled(word, places):
 
 
 def _run(words, log, timeout):
-    """Run a program and whatever it starts, for so long; what it says goes to a file."""
+    """Run a program for at most ``timeout`` seconds; its output goes to the file ``log``.
+
+    Processes that it started are ended with it.
+    """
     with log.open("wb") as said:
         try:
             program = subprocess.Popen(
@@ -84,7 +87,7 @@ def _run(words, log, timeout):
         try:
             code = program.wait(timeout)
         except subprocess.TimeoutExpired:
-            raise CaseError(f"no end after {timeout:g} s") from None
+            raise CaseError(f"did not end within {timeout:g} s") from None
         finally:
             with contextlib.suppress(ProcessLookupError):
                 os.killpg(program.pid, signal.SIGKILL)
@@ -97,7 +100,7 @@ def _run(words, log, timeout):
 
 
 def _end(code):
-    """How a program ended; some signals have no name."""
+    """How a program ended: its exit code, or the signal (by number if it has no name)."""
     if code > 0:
         return f"exit code {code}"
     names = {known.value: known.name for known in signal.Signals}
@@ -108,10 +111,10 @@ _ERROR = re.compile(r"error|exception|panic|fatal|abort|assert|\bfault|terminate
 
 
 def _complaint(log):
-    """What a program said when it failed, in one bounded line.
+    """The output of a program that failed, in one line of limited length.
 
-    The first line that looks like an error, since what follows it is often a list of calls; and the
-    last three lines, since Python's error stands there.
+    It has the first line that looks like an error, since a list of calls often follows it, and the
+    last three lines, where Python prints its error.
     """
     with log.open("rb") as said:
         first = next(filter(_ERROR.search, _lines(said.read(2**20))), None)
@@ -127,7 +130,7 @@ def _complaint(log):
 
 
 def _lines(content):
-    """The lines of a text that are not empty."""
+    """The non-empty lines of a text."""
     lines = (one_line(line).strip() for line in content.decode(errors="replace").split("\n"))
     return [line for line in lines if line]
 
@@ -158,7 +161,7 @@ class ModulePort:
             raise NotOfferedError from None
         if not isinstance(found, dict):
             raise CaseError(
-                f"run_case returned {type(found).__name__}; it must be a dict of arrays"
+                f"run_case returned {type(found).__name__}; it must return a dict of arrays"
             )
         return found
 

@@ -1,4 +1,4 @@
-"""A bar of progress where tqdm is installed; the cases are checked without it too."""
+"""A progress bar if tqdm is installed; the checker works without it."""
 
 from collections.abc import Iterable
 
@@ -9,7 +9,7 @@ except ImportError:
 
 
 def progress(cases: Iterable, total: int | None = None) -> Iterable:
-    """The same cases, with a bar on a terminal that says how many are done."""
+    """Pass the cases through; on a terminal a bar shows how many are done."""
     return cases if tqdm is None else tqdm(cases, total=total, unit="case", disable=None)
 
 

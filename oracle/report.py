@@ -1,4 +1,4 @@
-"""What a reader is told of the outcomes, and what a program."""
+"""Report the outcomes: as text for people, as JSON for programs."""
 
 import json
 from collections import Counter
@@ -14,16 +14,16 @@ from stylit_ref import __version__
 from stylit_ref.files.output_file import write_text
 
 HOW_TO_DECLINE = (
-    f"If the port does not do these stages yet: exit code {EXIT_NOT_OFFERED}, or "
-    "NotImplementedError of run_case, says so."
+    f"If the port does not do these stages yet, let it end with exit code {EXIT_NOT_OFFERED}, or "
+    "let run_case raise NotImplementedError."
 )
 
 
 def tell_failures(outcomes: Iterable[Outcome]) -> list[Outcome]:
-    """Say which cases fail and how, when all of their stage are done.
+    """Print which cases fail and how, stage by stage.
 
-    Stages whose cases all fail without an output, and with the same words but for the stage's name,
-    share a line: most ports do not know them yet.
+    If all cases of some stages fail without any output and with the same message, one line serves
+    them all: the port probably does not know these stages yet.
 
     Parameters
     ----------
@@ -53,7 +53,7 @@ def tell_failures(outcomes: Iterable[Outcome]) -> list[Outcome]:
 
 
 def _words_without_output(outcome):
-    """How a case failed before there was any output; None where it did not."""
+    """The message of a case that failed without any output, otherwise None."""
     if outcome.status != FAILED or outcome.difference.array is not None:
         return None
     return outcome.difference.message.replace(outcome.stage, "STAGE")
@@ -75,7 +75,7 @@ def _stages(outcomes):
 
 
 def summary(version: str, outcomes: list[Outcome]) -> str:
-    """How many cases passed, what was left out, and where to begin."""
+    """How many cases passed, which stages the port does not offer, and which one to mend first."""
     counts = Counter(outcome.status for outcome in outcomes)
     lines = [", ".join(f"{counts[status]} {status}" for status in STATUSES if counts[status])]
     left_out = _stages(outcome for outcome in outcomes if outcome.status == NOT_OFFERED)
@@ -89,7 +89,7 @@ def summary(version: str, outcomes: list[Outcome]) -> str:
 
 
 def write_report(file: str, version: str, code: int, outcomes: list[Outcome]) -> None:
-    """Write what became of every case, as JSON.
+    """Write the outcome of every case as JSON.
 
     Raises
     ------

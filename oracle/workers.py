@@ -1,4 +1,4 @@
-"""Processes that share the cases; none is left behind, nor a program that they run."""
+"""Share the cases among processes; at the end none of them is left, nor a program they started."""
 
 import contextlib
 import os
@@ -16,12 +16,12 @@ from oracle.compare import NoPortError, Outcome
 def shared(
     outcome_of: Callable[[Case], Outcome], cases: Iterable[Case], jobs: int
 ) -> Iterator[Outcome]:
-    """As ``map``, by several processes. Only a main thread may ask for it.
+    """Map a function over the cases with several processes; call it from the main thread.
 
     Parameters
     ----------
     outcome_of : callable
-        ``(case) -> Outcome``; it is sent to the processes.
+        ``(case) -> Outcome``; it must be picklable.
     cases : iterable of Case
     jobs : int
         How many processes.
@@ -34,7 +34,7 @@ def shared(
     Raises
     ------
     NoPortError
-        If a process came to its end.
+        If a process ended.
     """
     others = set(active_children())
     pool = ProcessPoolExecutor(jobs, get_context("spawn"), _begin_worker)
@@ -44,7 +44,7 @@ def shared(
         yield from outcomes
     except BrokenProcessPool:
         raise NoPortError(
-            "the module ended the process that it ran in; check it as a program, by --port"
+            "the module ended the process that it ran in; check it as a program with --port"
         ) from None
     finally:
         workers = set(active_children()) - others
@@ -58,7 +58,7 @@ def shared(
 
 @contextlib.contextmanager
 def _without_interruption():
-    """Ctrl-C and SIGTERM wait: they would leave a process half begun, or strike it as it begins."""
+    """Put off Ctrl-C and SIGTERM: a process that is just starting cannot handle them."""
     signals, waiting = (signal.SIGINT, signal.SIGTERM), []
     handlers = [signal.signal(one, lambda number, _: waiting.append(number)) for one in signals]
     mask = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})  # processes inherit it
@@ -73,16 +73,17 @@ def _without_interruption():
 
 
 def _begin_worker():
-    """Ctrl-C strikes all processes of a terminal: the first of them ends the others by SIGTERM.
+    """Let workers survive Ctrl-C, which reaches all processes of a terminal; SIGTERM ends them.
 
-    A handler of its own, as programs that a worker runs would inherit that a signal is ignored.
+    The handler does nothing instead of ignoring the signal: programs that a worker runs would
+    inherit the latter.
     """
     signal.signal(signal.SIGINT, lambda *_: None)
     signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
 
 
 def _by_worker(outcome_of, case):
-    """What becomes of a case; SIGTERM ends the worker when the program it runs is gone."""
+    """The outcome of a case; SIGTERM ends the worker once the program that it runs is gone."""
     try:
         signal.signal(signal.SIGTERM, _interrupt_once)
         return outcome_of(case)
@@ -93,6 +94,6 @@ def _by_worker(outcome_of, case):
 
 
 def _interrupt_once(*_):
-    """As Ctrl-C; another one must not interrupt the tidying up."""
+    """Raise KeyboardInterrupt; a second signal must not interrupt the cleaning up."""
     signal.signal(signal.SIGTERM, signal.SIG_IGN)
     raise KeyboardInterrupt

@@ -1,4 +1,4 @@
-"""Who makes the cases of a family, and how a version of them is written."""
+"""Write a version of the cases of a family."""
 
 import shutil
 
@@ -9,16 +9,16 @@ from oracle.progress import progress
 from stylit_ref.errors import InputError
 
 MAKERS = {STYLIZATION.name: stylization_cases}
-"""``(version) -> cases``, by name of their family."""
+"""For each family a function ``(version) -> cases``."""
 
 
 def make_version(version: str) -> None:
-    """Write the cases of a version, until it is published.
+    """Write the cases of a version that is not yet published.
 
     Raises
     ------
     InputError
-        If it is published or an older one, or if its schema is not there.
+        If the version is published or not the newest, or if its schema is missing.
     """
     folder, family = folder_of(version), FAMILY_OF[version]
     if (folder / "SHA256SUMS").exists() or version != family.versions[-1]:
@@ -28,7 +28,7 @@ def make_version(version: str) -> None:
         )
     if not (folder / "case.schema.json").exists():
         raise InputError(
-            f"{folder} needs its case.schema.json; begin with that of the version before"
+            f"{folder}: case.schema.json is missing; copy that of the previous version"
         )
     for stage in folder.glob("*/"):
         shutil.rmtree(stage)

@@ -1,4 +1,4 @@
-"""What the library makes of a stage of stylization."""
+"""Compute a stage of stylization with the library."""
 
 from oracle.families import STYLIZATION
 from oracle.stages import run_case
@@ -6,5 +6,5 @@ from stylit_ref import passes
 
 
 def answer(stage: str, parameters: dict, arrays: dict) -> dict:
-    """The arrays that a case of the stage must give."""
+    """The expected arrays of a case of the stage."""
     return run_case(STYLIZATION, stage, parameters, arrays, passes)

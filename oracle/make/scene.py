@@ -5,7 +5,7 @@ import numpy as np
 from oracle.make.answer import answer
 
 PLACE = {"seed": 0x1234567890ABCDEF, "level": 3, "vote": 2, "iteration": 5}
-"""Where in a run the random numbers of the cases belong."""
+"""The point of a run whose random numbers the cases use."""
 
 RUN = {
     "masked": False, "guide_channels": [3, 1], "guide_weights": [1.0, 1.0],
@@ -15,7 +15,7 @@ RUN = {
 
 
 class Scene:
-    """Input of the stages of a level, and whatever follows from it."""
+    """Input of the stages of a level, and the arrays computed from it."""
 
     def __init__(
         self, number, source=(13, 17), target=(14, 12), guide_channels=(3, 3),
@@ -30,12 +30,12 @@ class Scene:
             name: random_image(rng, size, channels, smooth, constant)
             for name, size in (("source", source), ("target", target))
         }
-        if contrast:  # differences as large as they get
+        if contrast:  # the largest possible differences
             self.arrays |= {
                 name: np.where(image < 128, 0, 255).astype(np.uint8)
                 for name, image in self.arrays.items()
             }
-        if blemish:  # half of the source is wrong, all of the rest equally right
+        if blemish:  # half of the source does not fit; the other half fits equally well everywhere
             self.arrays["source"][:, : source[1] // 2] = 0
         self.weighing = {
             "guide_channels": list(guide_channels),
@@ -75,7 +75,7 @@ class Scene:
 
 
 def random_image(rng, size, channels, smooth=False, constant=False):
-    """Noise; a ramp with little noise; or the same value everywhere."""
+    """Noise, or a ramp with a little noise, or a constant image."""
     image = rng.integers(0, 256, (*size, channels), dtype=np.uint8)
     if smooth:
         ramp = np.add.outer(np.arange(size[0]), np.arange(size[1]))[:, :, None]
@@ -89,12 +89,12 @@ def run_arrays(number, sizes, parameters, style_channels=3):
     Parameters
     ----------
     number : int
-        Of the scene: the seed of its noise.
+        Number of the scene: the seed of its noise.
     sizes : pair of (int, int)
-        Of source and target.
+        Sizes of source and target.
     parameters : dict
-        Where ``masked``, all of the target but a few pixels, some of them in the last row and
-        column, is left alone.
+        If ``masked`` is true, the mask leaves only a few pixels to synthesize, some of them in the
+        last row and column.
     style_channels : int
 
     Returns

@@ -65,7 +65,7 @@ def _budgets(rng):
 
 
 def _rounded_sums(rng):
-    """A share that a running sum meets or misses by how it was rounded."""
+    """A share that a running sum reaches or misses depending on how it was rounded."""
     errors = np.sort(rng.integers(1 << 50, 1 << 60, 200))
     spent = np.cumsum(errors.astype(np.float64))
     exact = [Fraction(int(sum(errors[: k + 1].tolist()))) for k in range(len(errors))]
@@ -74,11 +74,11 @@ def _rounded_sums(rng):
         within = [total <= Fraction(share) * exact[-1] for total in exact]
         if (spent <= share * spent[-1]).sum() != sum(within):
             return {"share": float(share)}, {"errors": errors}
-    raise AssertionError("these errors tell nothing")
+    raise AssertionError("with these errors, rounding makes no difference")
 
 
 def _exact_share():
-    """The first retrieval fixes just the share that was asked for."""
+    """The first retrieval fixes exactly the share that was asked for."""
     scene = Scene(500, uniformity=0.0)
     arrays = scene.only("source", "target", "weights", "nnf", "delta")
     found = answer("stylit_search", scene.metric | SEARCH, arrays)

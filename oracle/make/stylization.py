@@ -1,4 +1,4 @@
-"""The cases of stylization: awkward inputs, and what this library makes of them."""
+"""The cases of stylization: awkward inputs, and the library's output for them."""
 
 from collections.abc import Iterator
 from fractions import Fraction
@@ -32,17 +32,17 @@ LEVELS = {
     "masked": {"masked": True, "smooth": True},
     "crowded": {"crowded": True, "smooth": True, "target": (17, 12)},  # radius 8 is the largest
 }  # fmt: skip
-"""What differs from the plain level, by case."""
+"""How the level of each case differs from the plain one."""
 
 WHOLE = "plain", "one_channel", "barely_a_patch", "masked", "crowded"
-"""Cases that go through all of a level, which takes long in a simulator."""
+"""Cases of a whole level, which take long in a simulator."""
 
 TOLERANCES = {"knee": {"x": 1e-12}}
-"""Of the stages whose expected arrays need not be equal bit for bit."""
+"""Tolerances of the stages whose expected arrays need not be equal bit for bit."""
 
 
 def stylization_cases(version: str) -> Iterator[Case]:
-    """Every case of the newest version, with what it must give."""
+    """Every case of the newest version, with its expected output."""
     for stage, name, parameters, arrays in _inputs():
         expected = answer(stage, parameters, arrays)
         if stage in ("commit", "iteration") and not parameters["occurrence_weight"]:
@@ -115,7 +115,7 @@ def _of_level(name, scene):
 
 
 def _rush():
-    """Everyone wants to the same patch: how many get there says when W follows."""
+    """All pixels propose the same patch: how many get it shows when W is updated."""
     scene = Scene(300, uniformity=50000.0)
     arrays = scene.only("nnf", "delta", "omega_sums")
     proposed = {
@@ -137,7 +137,7 @@ def _tied_weights():
 
 
 def _unheard():
-    """Pixels that no patch votes for."""
+    """A target with pixels that no patch votes for."""
     scene = Scene(301, patch_width=3)
     nnf = scene.arrays["nnf"].copy()
     nnf[2:9, 3:8] = -1
@@ -170,12 +170,12 @@ def _guide_maps():
 
 
 def _exact_variance(variances):
-    """A variance that a double holds: it is not below itself."""
+    """A variance that a double represents exactly, as ε: the patch is then black."""
     return next(v for v in np.sort(variances.ravel())[variances.size // 3 :] if v == int(v))
 
 
 def _rounded_variance(variances):
-    """A variance whose double is above it: it is below that, though their w⁴-folds round alike."""
+    """A variance that rounds up to the double ε: it is below ε, though w⁴-folds round alike."""
     near = np.sort(variances.ravel())[variances.size // 3 :]
     return next(v for v in near if Fraction(v) > Fraction(round(v * 625), 625) and v * 625 % 1 == 0)
 

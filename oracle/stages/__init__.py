@@ -1,4 +1,4 @@
-"""What the library makes of every stage: by its own passes, or by another module's."""
+"""Run every stage with the library's own passes, or with another module's."""
 
 from types import ModuleType
 from typing import NamedTuple
@@ -10,7 +10,7 @@ from stylit_ref import passes as stylization_passes
 
 
 class System(NamedTuple):
-    """What does the stages of a family.
+    """The passes and stages of a family.
 
     Attributes
     ----------
@@ -26,11 +26,11 @@ class System(NamedTuple):
 SYSTEMS = {
     STYLIZATION.name: System(stylization_passes, stylization.STAGES | runs.STAGES | stylit.STAGES),
 }
-"""By name of their family."""
+"""The system of each family, by the family's name."""
 
 
 def is_offered(family: Family, stage: str, passes: ModuleType) -> bool:
-    """Whether a stage checks a module: it has the passes, or all of it is the library's own."""
+    """Whether a module can run a stage: it has the stage's passes, or is the library's own."""
     system = SYSTEMS[family.name]
     if passes is system.passes:
         return True
@@ -41,7 +41,7 @@ def is_offered(family: Family, stage: str, passes: ModuleType) -> bool:
 def run_case(
     family: Family, stage: str, parameters: dict, arrays: dict, passes: ModuleType
 ) -> dict:
-    """Do a stage.
+    """Run a stage.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""A level of the library with the arrays of a case in it."""
+"""Put the arrays of a case into a level of the library."""
 
 import numpy as np
 
@@ -11,7 +11,7 @@ from stylit_ref.stylization.target import Target
 
 
 def level_of_case(passes, parameters, arrays):
-    """Lay the arrays of a case out as a level of the library.
+    """Make a level of the library from the arrays of a case.
 
     Parameters
     ----------
@@ -19,7 +19,7 @@ def level_of_case(passes, parameters, arrays):
     parameters : dict
         ``patch_width``, ``guide_channels``; ``epsilon`` for a level with a guide map.
     arrays : dict of str to array
-        ``source``, ``target``, ``weights``; ``nnf``, ``delta``, ``omega_sums`` where there are any.
+        ``source``, ``target``, ``weights``, and possibly ``nnf``, ``delta``, ``omega_sums``.
 
     Returns
     -------
@@ -52,7 +52,7 @@ def level_of_case(passes, parameters, arrays):
 
 
 def _packing(weights, guides):
-    """A layout of channels of any weights, for the passes."""
+    """A packing whose channels have these weights."""
     places, packed = [], []
     for channel, weight in enumerate(weights.tolist()):
         if channel == guides and len(packed) % 2:

@@ -1,4 +1,4 @@
-"""A port that offers passes: the stages are done by them, within the library's algorithms."""
+"""A port that offers passes: the library runs its algorithms with them."""
 
 from importlib import import_module
 
@@ -15,14 +15,14 @@ class PassesPort:
     Parameters
     ----------
     version : str
-        Of the cases that it is checked by.
+        Version of the cases.
     name : str, optional
-        The library's own by default.
+        Name of the module; the library's own passes by default.
 
     Raises
     ------
     InputError
-        If the module offers none.
+        If the module has no pass.
     """
 
     def __init__(self, version: str, name: str | None = None):
@@ -37,7 +37,7 @@ class PassesPort:
             )
 
     def __call__(self, case: Case) -> dict:
-        """What the passes make of a case."""
+        """The output of the passes for a case."""
         module, family = import_module(self.name), FAMILY_OF[case.version]
         if not is_offered(family, case.stage, module):
             raise NotOfferedError

@@ -1,19 +1,19 @@
-"""What a stage is to the library."""
+"""How the library runs a stage."""
 
 from collections.abc import Callable
 from typing import NamedTuple
 
 
 class Stage(NamedTuple):
-    """How the library does a stage.
+    """How the library runs a stage.
 
     Attributes
     ----------
     do : callable
         ``(passes, parameters, arrays) -> dict of str to array``.
     passes : tuple of str
-        Names of the passes that it uses. Without any it is done by formulae of the library alone,
-        and checks no other module.
+        Names of the passes that it uses. A stage without any uses formulae of the library alone,
+        so it cannot check another module.
     """
 
     do: Callable
@@ -21,6 +21,6 @@ class Stage(NamedTuple):
 
 
 LEVEL = "upload", "zeros", "repeat_edge", "moments_storage", "patch_moments"
-"""Passes that lay out a level."""
+"""Passes that prepare a level."""
 
 SEARCH = *LEVEL, "propagation", "random_search", "commit"

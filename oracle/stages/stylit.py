@@ -26,7 +26,7 @@ def _invert_nnf(passes, parameters, arrays):
 
 
 def _claims(parameters, arrays):
-    """Claims as the passes hold them, their coordinates those of a padded target."""
+    """Claims as the passes take them: in coordinates of the padded target."""
     return arrays["claims"] + np.int32(parameters["patch_width"] // 2), arrays["errors"].copy()
 
 

@@ -1,4 +1,4 @@
-"""The stages of SPEC.md but for StyLit's and for whole levels and runs."""
+"""The stages of SPEC.md, without those of StyLit and those of whole levels and runs."""
 
 import numpy as np
 from numba import njit

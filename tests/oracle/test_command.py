@@ -96,7 +96,7 @@ def test_the_folder_of_the_cases_is_printed(capsys):
     assert main(["cases"]) == main(["cases", NEWEST]) == 0
     assert capsys.readouterr().out == f"{folder_of(NEWEST)}\n" * 2
     assert main(["cases", "v0"]) == 2
-    assert "there are no cases 'v0'; there are v1" in capsys.readouterr().err
+    assert "there is no version 'v0' of the cases; choose one of: v1" in capsys.readouterr().err
 
 
 def test_expected_failures_do_not_count_but_unexpected_passes_do(tmp_path, capsys):
@@ -114,27 +114,27 @@ def test_expected_failures_do_not_count_but_unexpected_passes_do(tmp_path, capsy
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (["--port", ""], "port '' must name {input} and {output}"),
+        (["--port", ""], "port '' must contain {input} and {output}"),
         (["--module", ""], "module '' cannot be imported"),
         (["--json", ""], "is a folder"),
-        (["--cases", ""], "there are no cases ''"),
-        (["--port", "true {input} {output}", "--module", "json"], "exclude each other"),
+        (["--cases", ""], "there is no version ''"),
+        (["--port", "true {input} {output}", "--module", "json"], "cannot be used together"),
         (["--port", "true {input} {output}", "--timeout", "0"], "--timeout is 0; it must be above"),
         (["--port", "true {input} {output}", "--timeout", "nan"], "--timeout is nan"),
-        (["--timeout", "5"], "--timeout is for a --port"),
+        (["--timeout", "5"], "--timeout needs --port"),
         (["--jobs", "0", "--module", "no.such.module"], "--jobs is 0; it must be 1 or more"),
         (["--module", "json"], "module 'json' offers neither run_case nor a pass"),
         (["--stages", "philox", "--module", "numpy"], "nothing was checked"),
-        (["--stages", "philo"], "'philo' is no stage"),
-        (["--cases", "v0"], "there are no cases 'v0'; there are v1"),
-        (["--port", "run it"], "must name {input} and {output}"),
-        (["--port", "none {input} {output}"], "there is no program 'none'"),
-        (["--port", "'none {input} {output}"], "is no command: No closing quotation"),
-        (["--stages", ""], "'' is no stage"),
+        (["--stages", "philo"], "'philo', which is not a stage"),
+        (["--cases", "v0"], "there is no version 'v0' of the cases; choose one of: v1"),
+        (["--port", "run it"], "must contain {input} and {output}"),
+        (["--port", "none {input} {output}"], "cannot be run: there is no program 'none'"),
+        (["--port", "'none {input} {output}"], "is not a command: No closing quotation"),
+        (["--stages", ""], "'', which is not a stage"),
         (["--json", "nowhere/a.json"], "nowhere does not exist"),
         (["--module", "no.such.module"], "module 'no.such.module' cannot be imported"),
         (["--xfail", "nowhere.txt"], "nowhere.txt: cannot be read"),
-        (["--xfail", "unknown.txt"], "unknown.txt: 'kne/*' names no case"),
+        (["--xfail", "unknown.txt"], "unknown.txt: 'kne/*' matches no case"),
     ],
 )
 def test_bad_arguments_are_one_sentence(arguments, said, capsys, tmp_path, monkeypatch):
@@ -149,7 +149,10 @@ def test_a_report_does_not_overwrite_what_is_read(tmp_path, capsys):
     given.write_text("knee/*\n", encoding="utf-8")
     options = ["--stages", "knee", "--xfail", str(given), "--json", str(given)]
     assert main(["check", *options]) == 2
-    assert "xfail.txt: is read too; name another file" in capsys.readouterr().err
+    assert (
+        "xfail.txt: the output would overwrite this input; name another file"
+        in capsys.readouterr().err
+    )
     assert given.read_text(encoding="utf-8") == "knee/*\n"
 
 

@@ -1,4 +1,4 @@
-"""What differs is named, and what is within its tolerance does not."""
+"""Differences are named; values within their tolerance do not differ."""
 
 import numpy as np
 import pytest
@@ -12,7 +12,7 @@ from oracle.families import NEWEST
 @pytest.mark.parametrize(
     ("found", "said"),
     [
-        ({}, "order is not there"),
+        ({}, "order is missing"),
         ({"order": np.zeros((16, 2), np.int64)}, "order is int64; it must be int32"),
         ({"order": np.zeros((2, 16), np.int32)}, "order has shape (2, 16); it must be (16, 2)"),
     ],

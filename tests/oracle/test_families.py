@@ -1,4 +1,4 @@
-"""A system of its own is three rows, and files of its own."""
+"""To add a system takes three rows in tables, and files of its own."""
 
 import os
 import shutil
@@ -25,7 +25,7 @@ ROWS = {
         'from oracle.make.made_up import made_up_cases\n\nMAKERS = {"made_up": made_up_cases, ',
     ),
 }
-"""Of a family in existing files."""
+"""The rows of a new family in existing files."""
 
 OWN = {
     "oracle/stages/made_up.py": """
@@ -89,10 +89,18 @@ def run(folder, arguments):
         ("check --cases made_up/v1 --module port", 0, "1 passed\n"),
         ("check --cases made_up/v1 --module tripling", 1, "image[1] is 3; it must be 2"),
         ("check --cases made_up/v1 --module tripling", 1, "oracle/made_up/SPEC.md."),
-        ("check --cases made_up/v1 --stages philox", 2, "is no stage; there are double"),
+        (
+            "check --cases made_up/v1 --stages philox",
+            2,
+            "which is not a stage; the stages are double",
+        ),
         ("check --module doubling", 2, "neither run_case nor a pass of stylit_ref.passes"),
         ("check --stages knee", 0, "1 passed\n"),
-        ("check --cases v1 --stages double", 2, "'double' is no stage; there are philox"),
+        (
+            "check --cases v1 --stages double",
+            2,
+            "'double', which is not a stage; the stages are philox",
+        ),
         ("make made_up/v1", 2, "made_up/v1 is published and never changes"),
     ],
 )

@@ -24,9 +24,9 @@ from oracle.ports import CommandPort, ModulePort
         ("os.kill(os.getpid(), 40)", "signal 40"),
         ("print('no ' * 10**6); print('end'); sys.exit(3)", "exit code 3: ..."),
         ("sys.exit(str(sorted(os.listdir(IN))))", "exit code 1: ['case.json']"),
-        ("os.mkfifo(OUT + '/order.npy')", "order.npy is no file"),
-        ("import time; os.fork() or time.sleep(60)", "order.npy is not there"),
-        ("", "order.npy is not there"),
+        ("os.mkfifo(OUT + '/order.npy')", "order.npy is not a regular file"),
+        ("import time; os.fork() or time.sleep(60)", "order.npy is missing"),
+        ("", "order.npy is missing"),
         ("open(OUT + '/order.npy', 'w').write('1 2')", "order.npy cannot be read as an array"),
         ("np.save(OUT + '/order.npy', np.array([None]))", "order.npy cannot be read as an array"),
         ("np.save(OUT + '/order.npy', np.zeros((16, 2), '>i4'))", "order is >i4; it must be int32"),
@@ -92,7 +92,7 @@ def test_a_program_says_by_its_exit_code_that_it_does_not_do_a_stage(tmp_path):
 
 @pytest.mark.slow
 def test_a_program_has_so_long_and_no_heir(tmp_path, capsys):
-    """What it starts ends with it."""
+    """Processes that a program started end with it."""
     port = tmp_path / "port.py"
     port.write_text(
         "import pathlib, subprocess, sys, time\n"
@@ -104,7 +104,7 @@ def test_a_program_has_so_long_and_no_heir(tmp_path, capsys):
     command = f"{sys.executable} {port} {tmp_path}/pid {{input}} {{output}}"
     options = ["--port", command, "--timeout", "2", "--stages", "knee"]
     assert main(["check", *options]) == 1
-    assert "knee/ends: failed: no end after 2 s" in capsys.readouterr().out
+    assert "knee/ends: failed: did not end within 2 s" in capsys.readouterr().out
     assert ends(int((tmp_path / "pid").read_text(encoding="utf-8")))
 
 
@@ -143,8 +143,8 @@ class Raised(Exception):  # noqa: N818
 @pytest.mark.parametrize(
     ("answer", "said"),
     [
-        (None, "run_case returned NoneType; it must be a dict of arrays"),
-        ([[1], [2, 3]], "run_case returned list; it must be a dict of arrays"),
+        (None, "run_case returned NoneType; it must return a dict of arrays"),
+        ([[1], [2, 3]], "run_case returned list; it must return a dict of arrays"),
         ({"order": [[1], [2, 3]]}, "ValueError: setting an array element"),
         (SystemExit(0), "SystemExit: 0"),
         (Raised("\udc80"), r"Raised: \udc80"),

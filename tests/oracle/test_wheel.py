@@ -66,5 +66,5 @@ def test_passes_need_the_library_and_it_is_said(python, tmp_path):
         cwd=tmp_path, check=False, capture_output=True, text=True,
     )  # fmt: skip
     assert done.returncode == 2
-    assert done.stderr.startswith("oracle: passes are checked within the library, which needs ")
+    assert done.stderr.startswith("oracle: to check passes takes the package ")
     assert done.stderr.count("\n") == 1
