@@ -15,42 +15,42 @@ PYTHONS ?= 3.11 3.12 3.13 3.14
 
 .PHONY: eval reports schedules epsilon stylit spilling bench scenes test test-fast test-gpu ptx docs wheel lowest lint data help clean
 
-eval: $(VENV)/$(if $(SCHEDULER),cluster,eval).installed ## tables and figures of the thesis: PRESET, SCHEDULER, ARGS="--scene DIR"
+eval: $(VENV)/$(if $(SCHEDULER),cluster,eval).installed ## make the report on the thesis: PRESET=quick or thesis, SCHEDULER=ADDRESS, ARGS="--scene DIR"
 	$(BIN)/python -m eval dzurenko $(if $(PRESET),--preset "$(PRESET)") $(if $(SCHEDULER),--scheduler "$(SCHEDULER)") $(ARGS)
 
-reports: $(VENV)/eval.installed ## the slim copies that are committed, of reports made before: ARGS=NAME for a new one
+reports: $(VENV)/eval.installed ## copy finished reports to reports/, made small: ARGS=NAME for a new one
 	$(BIN)/python -m eval publish $(ARGS)
 
 report-%: $(VENV)/eval.installed # any report of python -m eval --help
 	$(BIN)/python -m eval $* $(if $(SCENE),--scene "$(SCENE)") $(if $(DATA),--data "$(DATA)") $(if $(EBSYNTH),--ebsynth "$(EBSYNTH)") $(ARGS)
 
-schedules: report-schedules ## propose_commit against scanline at every λ (slow)
+schedules: report-schedules ## compare the schedules propose_commit and scanline at every λ (slow)
 
-epsilon: report-epsilon ## guide maps at every ε, and what they save
+epsilon: report-epsilon ## measure what guide maps change and save, at every ε
 
-stylit: report-stylit ## StyLit beside the occurrence map
+stylit: report-stylit ## compare StyLit with the occurrence map
 
-spilling: report-spilling ## what an ID guide cures: SCENE=TARGET/STYLE,...
+spilling: report-spilling ## measure spilling without and with an ID guide: SCENE=TARGET/STYLE,...
 
-bench: report-bench ## time and energy, beside ebsynth with EBSYNTH=path
+bench: report-bench ## measure time, memory and energy: EBSYNTH=PATH measures ebsynth too
 
-scenes: report-scenes ## contact sheets, and every target in every style
+scenes: report-scenes ## show all scenes, and every target in every style
 
 data: $(VENV)/render.installed ## render scenes and styles: SIZE=1200x912, SCENES=teapot,house
 	$(BIN)/python -m data_gen --size "$(SIZE)" $(if $(SCENES),--scenes "$(SCENES)") $(ARGS)
 
-test: $(VENV)/test.installed ## all tests; those of the CUDA kernels in Numba's simulator
+test: $(VENV)/test.installed ## run all tests; those of the CUDA kernels run in Numba's simulator
 	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal $(ARGS)
 	NUMBA_ENABLE_CUDASIM=1 $(BIN)/python -m pytest -n $(WORKERS) tests/gpu_cuda
 
-test-fast: $(VENV)/test.installed ## the tests that take less than a minute together, kernels compiled
+test-fast: $(VENV)/test.installed ## run the quick tests: less than a minute, once the kernels are compiled
 	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal -m "not slow" $(ARGS)
 
-test-gpu: $(VENV)/gpu.installed $(VENV)/test.installed ## tests of the CUDA kernels on a GPU, and its times
+test-gpu: $(VENV)/gpu.installed $(VENV)/test.installed ## run the tests of the CUDA kernels on a GPU, and time the kernels
 	$(BIN)/python -m pytest tests/gpu_cuda
 	$(BIN)/python -m eval gpu $(ARGS)
 
-ptx: .venv-ptx/ptx.installed ## every CUDA kernel compiled, no GPU needed
+ptx: .venv-ptx/ptx.installed ## compile every CUDA kernel; no GPU is needed
 	.venv-ptx/bin/python -m eval ptx
 
 DIST := build/dist
@@ -58,18 +58,18 @@ UV := $(BIN)/uv --quiet --no-python-downloads
 TRY = rm -rf build/try && mkdir -p build/try && cd build/try && PATH="$(abspath $(1))/bin:$$PATH" && \
 	command=$$(stylit-ref example scenes) && eval "$$command --preset fast --quiet"
 
-wheel: $(VENV)/wheel.installed ## wheel and source made; the wheel in an empty environment of every Python there is
+wheel: $(VENV)/wheel.installed ## build the wheel and the source package; try the wheel with every installed Python
 	rm -rf $(DIST)
 	$(BIN)/python -m build --outdir $(DIST)
 	$(MAKE) $(PYTHONS:%=wheel-%)
 
-wheel-%: # what it needs must be there as wheels, whether this Python is at hand or not
+wheel-%: # its dependencies must exist as wheels, even if this Python is not installed here
 	$(UV) pip compile --python-version $* --only-binary :all: --extra render pyproject.toml >build/python$*.txt
 	if $(UV) python find $* >/dev/null 2>&1; then \
 		$(UV) venv --clear --python $* build/python$* && $(UV) pip install --python build/python$* $(DIST)/*.whl && $(call TRY,build/python$*); \
-	else echo "Python $*: not at hand, its wheels are"; fi
+	else echo "Python $*: not installed here, but its wheels exist"; fi
 
-lowest: wheel ## the source with the least versions that pyproject.toml admits, and the oracle
+lowest: wheel ## try the source package with the oldest versions that pyproject.toml allows
 	$(UV) venv --clear --python 3.11 build/lowest
 	$(UV) pip compile --python build/lowest --resolution lowest-direct pyproject.toml -o build/lowest.txt
 	$(UV) pip install --python build/lowest --constraint build/lowest.txt $(DIST)/*.tar.gz
@@ -81,7 +81,7 @@ lint: $(VENV)/lint.installed ## ruff and import contracts
 	$(BIN)/ruff format --check .
 	$(BIN)/lint-imports
 
-docs: $(VENV)/docs.installed ## the site, build/site/index.html: docs, notebooks, API, reports
+docs: $(VENV)/docs.installed ## build the site, build/site/index.html: docs, notebooks, API, reports
 	$(BIN)/sphinx-build -W --keep-going --quiet -c docs . build/site
 
 %.installed: pyproject.toml
@@ -92,5 +92,5 @@ docs: $(VENV)/docs.installed ## the site, build/site/index.html: docs, notebooks
 help:
 	@grep -E '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## */\t/'
 
-clean: ## remove the environments and all of build/: cached runs, rendered scenes
+clean: ## remove the environments and all of build/, with cached runs and rendered scenes
 	rm -rf $(VENV) .venv-ptx build

@@ -1,1 +1,1 @@
-"""Scenes, render passes and style exemplars. Apart from the library."""
+"""Make scenes, render passes and style exemplars; the library works without this package."""

@@ -1,4 +1,4 @@
-"""Render a data set: ``python -m data_gen``."""
+"""Render a data set of scenes and paint the styles; finished parts are not made again."""
 
 import argparse
 import math
@@ -16,17 +16,24 @@ SMALLEST, LARGEST = 16, 8192
 
 
 def main(arguments=None):
-    """Make what is missing; returns the exit code."""
+    """Make the missing pieces; returns the exit code."""
     parser = argparse.ArgumentParser(prog="python -m data_gen", description=__doc__)
-    parser.add_argument("--size", type=_size, default=(1200, 912), help="default: 1200x912")
+    parser.add_argument(
+        "--size", type=_size, default=(1200, 912), metavar="WIDTHxHEIGHT",
+        help="pixels of every image (default 1200x912)",
+    )  # fmt: skip
     parser.add_argument(
         "--scenes", type=_scenes, default=tuple(SCENES),
-        help=f"comma-separated, default all: {','.join(SCENES)}; the source is always made",
+        help=f"scenes, commas between (default: {', '.join(SCENES)}); the source is always made",
     )  # fmt: skip
-    parser.add_argument("--samples", type=_count, default=64, help="a pixel, a square; default 64")
-    parser.add_argument("--folder", type=Path, help="default: build/data/SIZE")
     parser.add_argument(
-        "--guides-only", action="store_true", help="no passes.exr, as in the bundled set"
+        "--samples", type=_count, default=64, help="samples a pixel, a square number (default 64)"
+    )
+    parser.add_argument(
+        "--folder", type=Path, help="folder of the data set (default build/data/WIDTHxHEIGHT)"
+    )
+    parser.add_argument(
+        "--guides-only", action="store_true", help="write no passes.exr; the bundled set has none"
     )
     options = parser.parse_args(arguments)
     width, height = options.size
@@ -41,7 +48,7 @@ def main(arguments=None):
     except KeyboardInterrupt:
         print("data_gen: interrupted; finished pieces are kept", file=sys.stderr)
         return 130
-    print(f"{folder}: {'made ' + ', '.join(made) if made else 'all of it is there already'}")
+    print(f"{folder}: {'made ' + ', '.join(made) if made else 'nothing to do, all is finished'}")
     return 0
 
 
@@ -50,7 +57,7 @@ def _size(text):
     size = tuple(map(int, match.groups())) if match else (0, 0)
     if not all(SMALLEST <= length <= LARGEST for length in size):
         raise argparse.ArgumentTypeError(
-            f"{text} is no size; it must be WIDTHxHEIGHT with {SMALLEST} to {LARGEST} pixels each"
+            f"is {text}; it must be WIDTHxHEIGHT, each from {SMALLEST} to {LARGEST} pixels"
         )
     return size
 
@@ -59,7 +66,9 @@ def _scenes(text):
     scenes = [name.strip() for name in text.split(",") if name.strip()]
     unknown = sorted(set(scenes) - set(SCENES))
     if unknown:
-        raise argparse.ArgumentTypeError(f"no scene {', '.join(unknown)}; {', '.join(SCENES)}")
+        raise argparse.ArgumentTypeError(
+            f"there is no scene {', '.join(unknown)}; choose from {', '.join(SCENES)}"
+        )
     return scenes
 
 
@@ -69,10 +78,10 @@ def _count(text):
         or not 1 <= int(text) <= 4096
         or math.isqrt(int(text)) ** 2 != int(text)
     ):
-        raise argparse.ArgumentTypeError(f"{text} samples; it must be a square from 1 to 4096")
+        raise argparse.ArgumentTypeError(f"is {text}; it must be a square number from 1 to 4096")
     return int(text)
 
 
 if __name__ == "__main__":
-    signal.signal(signal.SIGTERM, signal.default_int_handler)  # ends it as Ctrl-C does
+    signal.signal(signal.SIGTERM, signal.default_int_handler)  # as Ctrl-C
     sys.exit(main())

@@ -1,4 +1,4 @@
-"""What a folder of rendered data holds, how it was made, and whether it is still that."""
+"""The manifest of a data set: its files with their digests, and the recipe that made them."""
 
 import hashlib
 import json
@@ -18,11 +18,11 @@ _MAKES_NO_BYTES = ("__main__.py", "manifest.py", "produce.py", "renderer.py")
 
 
 class DataError(Exception):
-    """A folder does not hold what its manifest says; the message names file and reason."""
+    """A folder of data cannot be used; the message names the file and the reason."""
 
 
 def recipe(size, samples, seed, exr):
-    """What decides the bytes of a data set: settings, versions of libraries, code.
+    """Everything that decides the bytes of a data set: settings, versions of libraries, code.
 
     Returns
     -------
@@ -44,14 +44,14 @@ def recipe(size, samples, seed, exr):
 
 @dataclass
 class Manifest:
-    """How the files of a folder were made, and what they were.
+    """The recipe and the files of a data set.
 
     Attributes
     ----------
     folder : Path
     recipe : dict
     pieces : dict of str to dict of str to str
-        Of each piece the sha256 of its files.
+        The SHA-256 of every file, by piece.
     """
 
     folder: Path
@@ -60,43 +60,45 @@ class Manifest:
 
     @classmethod
     def read(cls, folder):
-        """The manifest of a folder.
+        """Read the manifest of a folder.
 
         Raises
         ------
         DataError
-            If there is none, or it cannot be read.
+            If the manifest is missing or cannot be read.
         """
         folder = Path(folder)
         try:
             content = json.loads((folder / NAME).read_text())
             return cls(folder, dict(content["recipe"]), _pieces(content["pieces"]))
         except FileNotFoundError:
-            raise DataError(f"{folder}: holds no {NAME}; make it with 'make data'") from None
+            raise DataError(f"{folder}: holds no {NAME}; render it with 'make data'") from None
         except (ValueError, KeyError, TypeError, AttributeError):
             raise DataError(
-                f"{folder / NAME}: is no manifest of rendered data; remove the folder to begin anew"
+                f"{folder / NAME}: is not a manifest of rendered data; remove the folder and "
+                "render again"
             ) from None
 
     @classmethod
     def open(cls, folder):
-        """The manifest of a folder to make data in: that it has, or an empty one.
+        """The manifest of a folder that data is to be made in: the existing one, or an empty one.
 
         Raises
         ------
         DataError
-            If the folder holds something and no manifest, but for what a killed :meth:`save` left.
+            If the folder holds files but no manifest. The partial file of a killed :meth:`save` is
+            allowed.
         """
         folder = Path(folder)
         if (folder / NAME).exists():
             return cls.read(folder)
         if folder.exists() and any(file.name != _PARTIAL for file in folder.iterdir()):
-            raise DataError(f"{folder}: holds files and no {NAME}; choose an empty folder")
+            raise DataError(f"{folder}: holds files but no {NAME}; choose an empty folder")
         return cls(folder, {}, {})
 
     @property
     def targets(self):
-        """Names of the views that are there and that no style was painted over."""
+        """Names of the finished views, without those that styles are painted over."""
         return [
             piece
             for piece, files in self.pieces.items()
@@ -105,11 +107,11 @@ class Manifest:
 
     @property
     def styles(self):
-        """Names of the styles that are there."""
+        """Names of the finished styles."""
         return [style for files in self.pieces.values() for style in _styles(files)]
 
     def path(self, file):
-        """Path of one of its files, which is still what was written.
+        """Path of one of its files; the file must be unchanged.
 
         Raises
         ------
@@ -118,22 +120,22 @@ class Manifest:
         expected = {f: d for files in self.pieces.values() for f, d in files.items()}.get(file)
         path = self.folder / file
         if expected is None:
-            raise DataError(f"{self.folder}: its {NAME} knows no {file}")
+            raise DataError(f"{self.folder}: its {NAME} does not list {file}")
         if not path.is_file():
-            raise DataError(f"{path}: is missing, though {NAME} lists it; make it with 'make data'")
+            raise DataError(f"{path}: is missing; render it again with 'make data'")
         if _digest(path) != expected:
-            raise DataError(f"{path}: differs from what {NAME} says; make it anew with 'make data'")
+            raise DataError(f"{path}: differs from {NAME}; render it again with 'make data'")
         return path
 
     def complete(self, piece):
-        """Whether all files of a piece are there, unchanged."""
+        """Whether all files of a piece exist and are unchanged."""
         try:
             return bool([self.path(file) for file in self.pieces[piece]])
         except (KeyError, DataError):
             return False
 
     def restart(self, new_recipe):
-        """Begin by a recipe: files that another one made are removed."""
+        """Take a new recipe; if it differs from the old one, all files are removed."""
         if self.recipe != new_recipe:
             for file in [file for files in self.pieces.values() for file in files]:
                 (self.folder / file).unlink(missing_ok=True)
@@ -141,7 +143,7 @@ class Manifest:
         self.save()
 
     def add(self, piece):
-        """Note the files of a finished piece and save."""
+        """Add the files of a finished piece and save."""
         files = sorted(file for file in (self.folder / piece).rglob("*") if file.is_file())
         self.pieces[piece] = {
             file.relative_to(self.folder).as_posix(): _digest(file) for file in files
@@ -149,7 +151,7 @@ class Manifest:
         self.save()
 
     def save(self):
-        """Write it, whole or not at all; makes the folder."""
+        """Write the manifest; makes the folder. A failure leaves the old manifest."""
         self.folder.mkdir(parents=True, exist_ok=True)
         content = {"recipe": self.recipe, "pieces": dict(sorted(self.pieces.items()))}
         partial = self.folder / _PARTIAL
@@ -166,7 +168,7 @@ def _styles(files):
 
 
 def _pieces(content):
-    """Files by piece, all inside the folder: what is listed may be removed."""
+    """Check that all listed files lie inside the folder, since they may be removed."""
     for files in content.values():
         for file, digest in files.items():
             if Path(file).is_absolute() or ".." in Path(file).parts or not isinstance(digest, str):

@@ -1,4 +1,4 @@
-"""Make a data set, piece by piece; what is finished is not made again.
+"""Make a data set, piece by piece; finished pieces are not made again.
 
 Layout of the folder::
 
@@ -23,7 +23,7 @@ from data_gen.renderer import start
 
 
 def produce(folder, size, scenes=tuple(SCENES), samples=64, seed=0, exr=True):
-    """Render and paint what is not there yet.
+    """Render and paint the missing pieces.
 
     Parameters
     ----------
@@ -31,9 +31,9 @@ def produce(folder, size, scenes=tuple(SCENES), samples=64, seed=0, exr=True):
     size : (int, int)
         Width, height.
     scenes : iterable of str
-        Of :data:`data_gen.pieces.SCENES`; the source and the styles always belong to them.
+        Names in :data:`data_gen.pieces.SCENES`; the source and the styles are always made.
     samples : int
-        A pixel.
+        Samples a pixel.
     seed : int
     exr : bool
         Keep the layers of each view, not only the guides made from them.
@@ -41,7 +41,7 @@ def produce(folder, size, scenes=tuple(SCENES), samples=64, seed=0, exr=True):
     Returns
     -------
     list of str
-        Names of the pieces made now; others were there.
+        Names of the pieces that were made now.
 
     Raises
     ------
@@ -60,7 +60,7 @@ def produce(folder, size, scenes=tuple(SCENES), samples=64, seed=0, exr=True):
         return []
     start()
     manifest.restart(asked)
-    from data_gen.rendering import Rendering  # imports what start() looks for
+    from data_gen.rendering import Rendering  # start() must have found the renderer before
 
     rendering = Rendering(size, samples, seed)
     with tqdm(pieces, unit="piece", disable=None) as bar:
@@ -77,7 +77,7 @@ def produce(folder, size, scenes=tuple(SCENES), samples=64, seed=0, exr=True):
 
 @contextmanager
 def _partial(folder):
-    """A folder for what is not finished, gone afterwards; one of a killed process goes first."""
+    """A folder for unfinished files, empty at first and removed at the end."""
     partial = folder / "partial"
     shutil.rmtree(partial, ignore_errors=True)
     partial.mkdir()

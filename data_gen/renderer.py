@@ -1,4 +1,4 @@
-"""Start the renderer, or say in one sentence what is missing.
+"""Start the renderer, or name in one sentence the package that is missing.
 
 Everything that imports Mitsuba is imported after :func:`start`.
 """
@@ -14,17 +14,17 @@ _BUNDLED_WORKS = "the scenes bundled with the project work without it"
 
 
 class MissingRendererError(Exception):
-    """The renderer or what it needs is not installed; the message says what to install."""
+    """The renderer, or a library it needs, is missing; the message says what to install."""
 
 
 def start():
-    """Select the renderer's variant; its modules can be imported afterwards.
+    """Select the renderer's variant; afterwards its modules can be imported.
 
     Raises
     ------
     MissingRendererError
     """
-    os.environ["OIDN_DEFAULT_DEVICE"] = "cpu"  # the same bytes with and without a GPU
+    os.environ["OIDN_DEFAULT_DEVICE"] = "cpu"  # gives the same bytes with and without a GPU
     if "DRJIT_LIBLLVM_PATH" not in os.environ:
         os.environ["DRJIT_LIBLLVM_PATH"] = _newest_llvm()
     try:
@@ -40,10 +40,10 @@ def start():
     try:
         mitsuba.set_variant(VARIANT)
         mitsuba.Float([0.0]) + 1
-    except Exception as error:  # whatever it says of a library that it cannot use
+    except Exception as error:  # an unusable library can raise anything
         raise MissingRendererError(
-            f"rendering cannot use {os.environ['DRJIT_LIBLLVM_PATH']} as LLVM library; name one of "
-            f"version {OLDEST_LLVM} or newer in DRJIT_LIBLLVM_PATH; {_BUNDLED_WORKS}"
+            f"rendering cannot use {os.environ['DRJIT_LIBLLVM_PATH']} as LLVM library; set "
+            f"DRJIT_LIBLLVM_PATH to one of version {OLDEST_LLVM} or newer; {_BUNDLED_WORKS}"
         ) from error
 
 
@@ -60,13 +60,13 @@ def _newest_llvm():
         have = f"the newest found is {newest}" if newest else "none was found"
         raise MissingRendererError(
             f"rendering needs the LLVM library, version {OLDEST_LLVM} or newer, and {have}: "
-            "install it (Debian: apt install libllvm19; macOS: brew install llvm) or name it in "
-            f"DRJIT_LIBLLVM_PATH; {_BUNDLED_WORKS}"
+            "install it (Debian: apt install libllvm19; macOS: brew install llvm) or set "
+            f"DRJIT_LIBLLVM_PATH to its path; {_BUNDLED_WORKS}"
         )
     return newest
 
 
 def _version(path):
-    """Major version that a library's path tells; one that tells none is taken for recent."""
+    """Major version in a library's path; a path without one is taken for recent."""
     numbers = re.search(r"(?:LLVM-|LLVM\.so\.|llvm-|llvm@)(\d+)", path)
     return int(numbers[1]) if numbers else OLDEST_LLVM

@@ -1,1 +1,1 @@
-"""Evaluation harness: scenes, runs, metrics, reports. Runs from the checkout."""
+"""Evaluation: scenes, runs, metrics and reports. It works from a checkout only."""

@@ -1,4 +1,4 @@
-"""``python -m eval REPORT``: reports on runs, their numbers and pictures."""
+"""Stylize scenes, measure the results, and write a report with tables and pictures."""
 
 import argparse
 import ast
@@ -17,7 +17,7 @@ from stylit_ref.machine.threads import sleep_while_waiting
 
 
 def reports():
-    """Modules of all reports, by the name of their subcommand; none is imported."""
+    """Module names of all reports, by the name of their subcommand; none is imported."""
     found = {module.name: f"eval.reports.{module.name}" for module in _in(eval.reports)}
     return found | {
         module.name: f"eval.documents.{module.name}.report" for module in _in(eval.documents)
@@ -36,7 +36,7 @@ def main(arguments=None):
     for name, module in sorted(reports().items()):
         text = _text_of(module)
         command = commands.add_parser(name, help=text.partition("\n")[0], description=text)
-        if name in arguments[:1]:  # what others need is not imported
+        if name in arguments[:1]:  # only the chosen report is imported
             try:
                 chosen = import_module(module)
             except ModuleNotFoundError as error:

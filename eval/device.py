@@ -1,4 +1,4 @@
-"""What a run is done on: times are of one device."""
+"""The device of a run: times of different devices must not be compared."""
 
 import platform
 from functools import cache

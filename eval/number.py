@@ -1,4 +1,4 @@
-"""How a number is shown."""
+"""The title and format in which a number is shown."""
 
 from typing import NamedTuple
 
@@ -9,9 +9,9 @@ class Number(NamedTuple):
     Attributes
     ----------
     title : str
-        Head of its column.
+        Title of its column.
     form : str
-        As for :meth:`str.format`.
+        Format string for :meth:`str.format`.
     """
 
     title: str

@@ -1,4 +1,4 @@
-"""What a method makes of a scene."""
+"""The result of a method on a scene."""
 
 from dataclasses import dataclass, field
 
@@ -8,25 +8,25 @@ import pandas as pd
 
 @dataclass(frozen=True)
 class Outcome:
-    """A finished picture, and what else the method can tell of it.
+    """A finished image, and what else the method can tell about it.
 
     Attributes
     ----------
     image : (H_B, W_B, n) uint8
     seconds : float
-        Wall time of the method alone, its kernels compiled before.
+        Wall time of the method alone, without compilation.
     nnf : (H_B, W_B, 2) int32, optional
-        Where in the source each pixel was taken from.
+        The source pixel that each pixel was taken from.
     omega : (H_A, W_A) int32, optional
         How often each pixel of the source was used.
     guide_map : (H_B, W_B) bool, optional
-        Of the finest level.
+        G of the finest level.
     levels : tuple of (H, W, n) uint8
-        The picture of every pyramid level, the coarsest first.
+        The image of every pyramid level, the coarsest first.
     stages : dict of str to float
         Seconds by stage.
     history : pandas.DataFrame
-        A row for each step of the search, with ``delta`` and, where the method has it,
+        A row for each step of the search, with ``delta`` and, if the method has it,
         ``penalization``.
     """
 

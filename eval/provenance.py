@@ -1,4 +1,4 @@
-"""Which machine, which versions and which commit made a number."""
+"""Name the machine, the versions and the commit that made a report."""
 
 import platform
 import subprocess
@@ -12,7 +12,7 @@ from stylit_ref import __version__
 
 
 def provenance():
-    """One line that says which machine and which commit made a report."""
+    """One line with the machine, the versions and the commit of a report."""
     return (
         f"stylit-ref {__version__}, commit {_COMMIT}; {processor()}, "
         f"{numba.config.NUMBA_NUM_THREADS} threads; Python {platform.python_version()}, "
@@ -21,7 +21,7 @@ def provenance():
 
 
 def _commit():
-    """Commit of the checkout; reports themselves do not count as changes."""
+    """Commit of the checkout; changed reports do not count as changes."""
     try:
         commit = _git("rev-parse", "--short", "HEAD")
         changed = _git("status", "--porcelain", "--untracked-files=no", "--", ".", ":!reports")
@@ -31,11 +31,11 @@ def _commit():
 
 
 def _git(*arguments):
-    """What git says of the checkout this file is in."""
+    """Output of a git command in this checkout."""
     checkout = Path(__file__).parents[1]
     command = ["git", "-C", checkout, *arguments]
     return subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip()
 
 
-# Taken at the start: what is edited or committed during a long report did not make it.
+# Asked at the start: edits and commits during a long report do not belong to its code.
 _COMMIT = _commit()

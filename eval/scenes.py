@@ -1,4 +1,4 @@
-"""Scenes: a style, its guides, and a target's guides; from a folder or a data set."""
+"""Read scenes from a folder or a data set: a style, its guides, and the guides of a target."""
 
 import hashlib
 from dataclasses import dataclass
@@ -31,7 +31,7 @@ class Scene:
     step : int
         Every ``step``-th pixel of the files was kept.
     ids : tuple of 2 arrays, optional
-        Of source and target, a colour for each object; not among the guides.
+        Object ids of source and target, a colour for each object; they are no guides.
     """
 
     name: str
@@ -51,7 +51,7 @@ class Scene:
 
     @property
     def shown_guide(self):
-        """The target guide to show: the full render where there is one."""
+        """The target guide to show in figures: the full render if there is one."""
         names = self.guide_names
         shown = next((names.index(name) for name in ("FULL", "fullgi") if name in names), 0)
         return self.target_guides[shown]
@@ -63,7 +63,7 @@ class Scene:
 
     @cached_property
     def digest_of_ids(self):
-        """Identifies the objects, which metrics alone see."""
+        """Identifies the object ids, which only metrics see."""
         return _digest(self.ids or ())
 
 
@@ -96,10 +96,10 @@ def load_scene(name, data=BUNDLED, step=1):
     Raises
     ------
     InputError
-        If there is no such scene, or a file is not what its manifest says.
+        If there is no such scene, or a file differs from its manifest.
     """
     if step < 1:
-        raise InputError(f"step is {step}; it must be 1 or more")
+        raise InputError(f"--step is {step}; it must be 1 or more")
     folder = Path(name)
     if folder.is_dir():
         return _from_folder(folder, step)
@@ -135,7 +135,7 @@ def _from_folder(folder, step):
     )
     if "source_style" not in files or not sources | targets:
         raise InputError(
-            f"{folder}: is no scene; it needs source_style and, for each guide, "
+            f"{folder}: is not a scene; it needs source_style and, for each guide, "
             "source_<guide> and target_<guide> images"
         )
     for alone in sorted(sources ^ targets):

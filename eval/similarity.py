@@ -1,4 +1,4 @@
-"""How close two images are, pixel by pixel."""
+"""Measures of how similar two images are, pixel by pixel."""
 
 import flip_evaluator
 import numpy as np
@@ -55,7 +55,7 @@ def flip(image, reference):
     Parameters
     ----------
     image, reference : (H, W, n) uint8
-        1 channel or 3; of others the first.
+        With 1 or 3 channels; otherwise the first channel is compared.
 
     Returns
     -------

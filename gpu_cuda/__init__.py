@@ -1,6 +1,6 @@
 """The passes as CUDA kernels on device arrays.
 
-A kernel handles one target patch, or one pixel, a thread; what it computes is called from
+Each thread of a kernel handles one target patch or one pixel, with the functions of
 :mod:`stylit_ref.formulae`. Kernels run on a GPU, or with ``NUMBA_ENABLE_CUDASIM=1`` in Numba's
 simulator.
 """

@@ -1,7 +1,7 @@
-"""The formulae as kernels call them: none is written again here.
+"""The library's formulae in the form that kernels can call; none is written again here.
 
-Many threads change Ω and W at once, so they add atomically. The order in which threads come does
-not change a map of integers.
+Many threads change Ω and W at once, so they add atomically. Both are maps of integers, so the
+order of the threads does not matter.
 """
 
 from numba import cuda

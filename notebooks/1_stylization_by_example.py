@@ -17,7 +17,7 @@
 # painting, and paints any other scene under the same light in the same manner. This notebook says
 # what goes in and what comes out: the four pictures of the analogy (thesis, Introduction), the
 # guides and the light paths they show (1.5), the nearest-neighbour field (2.1), and the weight of
-# the guides, μ (3.2). How the result is found is the matter of the notebooks that follow.
+# the guides, μ (3.2). The notebooks that follow explain how the result is found.
 
 # %%
 import matplotlib.pyplot as plt
@@ -48,7 +48,7 @@ def show(place, image, title):
 # $$A : A' :: B : B'$$
 #
 # $A$ is a rendering of the source scene, $A'$ the artist's painting over it, pixel upon pixel. $B$
-# is a rendering of the target scene. Wanted is $B'$, which shows the target as $A'$ shows the
+# is a rendering of the target scene. We want $B'$, which shows the target as $A'$ shows the
 # source. Images are arrays of 8-bit values, and one call does it all:
 
 # %%
@@ -141,8 +141,8 @@ plt.show()
 # The table says how far each guide of the target is from the source's guide at the assigned pixel,
 # on average, in 8-bit steps. With FULL alone FULL matches better and the other four match worse.
 # At the bottom left of the lower pictures the ground has the paint of the wall: both are grey
-# there, and nothing else was asked. Even five guides do not tell every ground from every wall; a
-# guide that names the objects would (thesis 5.2.4).
+# there, and the metric compared nothing else. Even five guides do not tell every ground from every
+# wall; a guide that names the objects would (thesis 5.2.4).
 #
 # ## What comes out: a nearest-neighbour field
 #

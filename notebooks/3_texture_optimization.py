@@ -49,7 +49,7 @@ def show(place, image, title, **how):
 # %% [markdown]
 # ## The energy
 #
-# Wanted is the picture $B'$, inside $\bar B$, that lowers the *texture energy* (2.2):
+# We look for the picture $B'$, inside $\bar B$, that lowers the *texture energy* (2.2):
 #
 # $$\sum_{P \in \mathcal{N}_{\bar B}} \varphi(P, \mathrm{NNF}(P))$$
 #
@@ -57,8 +57,8 @@ def show(place, image, title, **how):
 # (2.3):
 #
 # - **search** (M-step): $B'$ is fixed, PatchMatch improves the NNF;
-# - **vote** (E-step): the NNF is fixed, and each pixel $(x; y)$ of $B'$ becomes the mean of what
-#   the patches that cover it say, $P$ voting with the pixel of $A'$ at
+# - **vote** (E-step): the NNF is fixed, and each pixel $(x; y)$ of $B'$ becomes the mean of the
+#   votes of the patches that cover it; $P$ votes for the pixel of $A'$ at
 #   $\mathrm{NNF}(P) \odot (x - u_P, y - v_P)$.
 #
 # The mean is what lowers a sum of squares most. So neither step raises the energy, but for
@@ -318,8 +318,8 @@ print(f"{checked} assignments agree, of levels 2 to 5")
 #
 # Why a mean? For one pixel let $s_1 \dots s_{25}$ be its votes. The part of the energy that
 # depends on the pixel's colour $c$ is $\sum_k (s_k - c)^2$. Write `excess(votes, colour)`: by how
-# much that sum exceeds its least possible value. Votes are (25, 3), a colour is (3,), and there is
-# a formula that needs no second sum over the votes than that of their mean.
+# much that sum exceeds its least possible value. Votes are (25, 3), a colour is (3,). There is a
+# formula that sums over the votes only once, for their mean.
 
 
 # %% tags=["hide-input"]

@@ -277,10 +277,10 @@ fig.colorbar(seen, ax=axes, label="Ω / ω_best", shrink=0.9)
 plt.show()
 
 # %% [markdown]
-# The sphere is smaller than the dinosaur. If all of the style had to be used alike, a good part of
-# the dinosaur would get the paint of other things; that is what befalls methods that enforce even
-# use (1.2). With a price in place of a rule, even the largest λ wears the sphere more than the
-# rest: all of it, evenly, and little else.
+# The sphere is smaller than the dinosaur. If all of the style had to be used equally often, a good
+# part of the dinosaur would get the paint of other things, as happens with methods that enforce
+# even use (1.2). λ is a price, not a rule: even the largest λ lets the dinosaur use the sphere more
+# than the rest, all of it evenly.
 #
 # ## Exercises
 #

@@ -122,8 +122,8 @@ for ax in axes:
     ax.axis("off")
 
 # %% [markdown]
-# The right picture lies over the style, pixel by pixel. Bright are patches of which even the
-# closest target patch is far. The white highlight is the brightest: the picture in the middle has
+# The right picture lies over the style, pixel by pixel. A patch is bright if even its closest
+# target patch is far from it. The white highlight is the brightest: the picture in the middle has
 # lost it, so there is nothing white to go to. Then comes the outline of the sphere, which curves
 # and shades as no outline of the teapot does. Most of wall and floor has found its like.
 

@@ -1,8 +1,8 @@
-"""Kinds of parameters: what a value must be, in Python and as text on a command line.
+"""Kinds of parameters: which values are allowed, in Python and as text on a command line.
 
 A class of parameters is a frozen dataclass whose fields are made by :func:`parameter`; each system
-has its own. The kind of a field refuses what does not fit and makes Python's own numbers of NumPy's
-and fractions: one value, one ``repr``.
+has its own. The kind of a field refuses other values, and turns NumPy's numbers and fractions into
+Python's own numbers, so that equal values have the same ``repr``.
 """
 
 from dataclasses import dataclass, field, fields
@@ -22,13 +22,13 @@ def parameter(default: Any, kind: Any, text: str) -> Any:
     default
     kind : Integer, Number, Choice, ...
     text : str
-        What the parameter is, in a few words, for a command line's help.
+        A few words on the parameter, for a command line's help.
     """
     return field(default=default, metadata={"kind": kind, "text": text})
 
 
 def check_fields(params: Any) -> None:
-    """Have every field's kind check its value and simplify it, for ``__post_init__`` to call.
+    """Check and simplify the value of every field by its kind; call it from ``__post_init__``.
 
     Raises
     ------
@@ -42,7 +42,7 @@ def check_fields(params: Any) -> None:
 
 @dataclass(frozen=True)
 class Integer:
-    """An integer from ``least`` to ``most``, odd where ``odd``; ``remark`` ends a refusal."""
+    """An integer from ``least`` to ``most``, odd if ``odd``; ``remark`` ends the error message."""
 
     least: int
     most: int
@@ -84,7 +84,7 @@ class Number:
 
 @dataclass(frozen=True)
 class Share:
-    """A number above 0 and up to 1, or the ``word`` where there is one."""
+    """A number above 0 and up to 1, or the ``word`` if one is given."""
 
     word: str | None = None
     placeholder = "SHARE"
@@ -96,7 +96,7 @@ class Share:
         if not isinstance(value, Real) or not 0 < value <= 1:
             otherwise = f"{self.word!r} or " if self.word else ""
             raise InputError(
-                f"is {value!r}; it must be {otherwise}a share above 0 and up to 1", parameter=name
+                f"is {value!r}; it must be {otherwise}a number above 0 and up to 1", parameter=name
             )
         return float(value)
 
@@ -142,7 +142,7 @@ class OneOrSeveral:
         return tuple(self.kind.check(name, each) for each in value)
 
     def parse(self, text):
-        """A value, or a tuple where there are commas."""
+        """A value, or a tuple of values if the text has commas."""
         values = tuple(self.kind.parse(part) for part in text.split(","))
         return values if len(values) > 1 else values[0]
 
@@ -154,7 +154,7 @@ class OneOrSeveral:
 
 @dataclass(frozen=True)
 class Several:
-    """A sequence of values of a kind, each called ``one`` and its number."""
+    """A sequence of values of a kind; messages call each ``one`` and its number."""
 
     kind: Integer | Number
     one: str
@@ -163,11 +163,11 @@ class Several:
     def check(self, name, value):
         """A tuple of values."""
         if not _is_sequence(value):
-            raise InputError(f"is {value}; it must be a sequence", parameter=name)
+            raise InputError(f"is {value}; it must be a list of numbers", parameter=name)
         return tuple(self.kind.check(f"{self.one} {k}", each) for k, each in enumerate(value, 1))
 
     def parse(self, text):
-        """A tuple of what commas separate."""
+        """A tuple of the values between commas."""
         return tuple(self.kind.parse(part) for part in text.split(","))
 
     @property

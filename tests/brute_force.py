@@ -1,4 +1,4 @@
-"""Oracles: the definitions of the thesis in plain Python, as slow as they come."""
+"""Oracles: the definitions of the thesis in plain, slow Python."""
 
 from fractions import Fraction
 from math import floor
@@ -120,7 +120,7 @@ def level_delta(level, *place):
 
 
 def best_of(level, omega_map, y, x, candidates):
-    """The first candidate with the lowest φ, the current assignment coming first."""
+    """The first candidate with the lowest φ; the current assignment counts as the first of all."""
     best = tuple(int(v) for v in level.nnf[y, x])
     best_phi = phi(level, omega_map, y, x, *best)
     for candidate in candidates:
@@ -133,7 +133,7 @@ def best_of(level, omega_map, y, x, candidates):
 def vote(style, nnf, patch_width, outliers=0):
     """Mean of the votes of all assigned patches over each pixel, rounded half up (2.3).
 
-    Without the ``outliers`` farthest from it (Hauptfleisch 2.4.1), but for one.
+    The ``outliers`` farthest from it are left out (Hauptfleisch 2.4.1), but one vote always counts.
     """
     radius = patch_width // 2
     height, width = nnf.shape[:2]

@@ -11,13 +11,13 @@ from stylit_ref.notes import ONCE
 
 
 def pytest_configure():
-    """Ctrl-C is ignored in the background, and by all that is started from there."""
+    """Restore Ctrl-C, which background processes and all that they start ignore."""
     signal.signal(signal.SIGINT, signal.default_int_handler)
     sleep_while_waiting()
 
 
 def foreign_data(name):
-    """A folder of images that are not the repository's, or a skip."""
+    """A folder of images outside the repository; the test is skipped without it."""
     beside_the_checkout = Path(__file__).parents[2] / "shared" / "data"
     folder = Path(os.environ.get("STYLIT_DATA", beside_the_checkout)) / name
     if not folder.is_dir():

@@ -1,4 +1,4 @@
-"""A small pyramid level with everything in it, for tests of passes and formulae."""
+"""A small, complete pyramid level for tests of passes and formulae."""
 
 from dataclasses import replace
 

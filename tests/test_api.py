@@ -1,4 +1,4 @@
-"""The public names of the library: where they come from, and what importing them does not do."""
+"""The public names of the library: their origin, and what importing them must not do."""
 
 import ast
 import inspect

@@ -1,4 +1,4 @@
-"""The fast tests catch mistakes: each of these, made in a copy of the checkout, fails them."""
+"""The fast tests catch mistakes: each of these, made in a copy of the checkout, makes them fail."""
 
 import re
 from typing import NamedTuple
@@ -8,7 +8,7 @@ from code_copy import CHECKOUT, PACKAGES, CodeCopy
 
 
 class Mutation(NamedTuple):
-    """One line of a file that becomes wrong, and the tests that tell it best."""
+    """A change that makes one line of a file wrong, and the tests that should notice it."""
 
     file: str
     right: str
@@ -84,14 +84,14 @@ MUTATIONS = {
 
 @pytest.fixture(scope="module")
 def code(tmp_path_factory):
-    """A copy of what the tests need."""
+    """A copy of the code that the tests need."""
     copy = CodeCopy(tmp_path_factory.mktemp("checkout"), (*PACKAGES, "tests"))
     copy.add("pyproject.toml", (CHECKOUT / "pyproject.toml").read_text(encoding="utf-8"))
     return copy
 
 
 def fast_tests(code, tests):
-    """Exit code and output of those of the tests that are fast, up to the first failure."""
+    """Exit code and output of the fast tests, up to the first failure."""
     options = "-x", "-m", "not slow", "-p", "no:cacheprovider"
     done = code.try_python("-m", "pytest", *options, *tests)
     return done.returncode, done.stdout + done.stderr

@@ -1,4 +1,4 @@
-"""Kinds of parameters: what they take, what they make of it, what they refuse."""
+"""Kinds of parameters: which values they accept, convert and refuse."""
 
 from fractions import Fraction
 
@@ -43,14 +43,14 @@ def test_a_value_becomes_pythons_own(kind, value, made):
         (Integer(0, 24, remark=", for patches of width 5"), 25, "0 to 24, for patches of width 5"),
         (Number(0, 1e12), float("nan"), "name is nan; it must be a number from 0 to 1e.12"),
         (Number(0, 1e12), "1", "name is 1; it must be a number"),
-        (Share(), 0, "name is 0; it must be a share above 0 and up to 1"),
-        (Share("hyperbola"), "knee", "name is 'knee'; it must be 'hyperbola' or a share above 0"),
+        (Share(), 0, "name is 0; it must be a number above 0 and up to 1"),
+        (Share("hyperbola"), "knee", "name is 'knee'; it must be 'hyperbola' or a number above 0"),
         (Choice(("a", "b", "c")), "d", "name is 'd'; it must be 'a', 'b' or 'c'"),
         (OneOrSeveral(Integer(1, 9)), (1, 0), "name is 0; it must be an integer from 1 to 9"),
         (OneOrSeveral(Integer(1, 9)), (), r"name is \(\); it must be an integer"),
         (Several(Number(0, 9), "weight"), [1, -2], "weight 2 is -2; it must be a number"),
-        (Several(Number(0, 9), "weight"), 3, "name is 3; it must be a sequence"),
-        (Several(Number(0, 9), "weight"), [[1], [2, 3]], "it must be a sequence"),
+        (Several(Number(0, 9), "weight"), 3, "name is 3; it must be a list of numbers"),
+        (Several(Number(0, 9), "weight"), [[1], [2, 3]], "it must be a list of numbers"),
         (Optional(Number(1, 9)), 0, "name is 0; it must be a number from 1 to 9"),
     ],
     ids=repr,

@@ -1,6 +1,6 @@
 """How many files it takes to add a parameter, a method, a pass or a command: tried on a copy.
 
-Counted are the files that exist already; a thing's own file and its test come beside them.
+Only existing files that must be edited count, not the new file and its test.
 """
 
 import re
@@ -21,7 +21,7 @@ def run(**values):
 
 @pytest.fixture
 def code(tmp_path):
-    """A copy of the code, with the tests that tell whether the recipe is complete."""
+    """A copy of the code, with the tests that show whether the recipe is complete."""
     return CodeCopy(tmp_path, ("stylit_ref", "gpu_cuda", "tests"))
 
 
@@ -31,7 +31,7 @@ def paths(code):
 
 
 def test_a_parameter(code):
-    """Its field, with kind and words, and where it is used: an option comes by itself."""
+    """It takes the field, with kind and text, and the code that uses it; the option follows."""
     code.edit(
         "stylit_ref/stylization/params.py",
         "    uniformity: float = parameter(",
@@ -72,7 +72,7 @@ def search(level, params, iterate, seed, level_number, vote):
 
 
 def test_a_method(code):
-    """Its search in a file of its own, and a row of the table."""
+    """It takes a file with its search, and a row of the table."""
     code.add("stylit_ref/stylization/greedy.py", GREEDY)
     methods = "stylit_ref/stylization/methods.py"
     code.edit(methods, "import schedules, stylit", "import greedy, schedules, stylit")
@@ -153,7 +153,7 @@ print(made[0, 0], (gpu_cuda.download(device) == made).all())
 
 
 def test_a_pass(code):
-    """A file for the CPU and one for a GPU, its name in the list of each, and its pin."""
+    """It takes a file for the CPU and one for a GPU, its name in both lists, and its pin."""
     code.add("stylit_ref/passes/negative.py", PASS)
     code.add("gpu_cuda/passes/negative.py", GPU_PASS)
     for module, package in (

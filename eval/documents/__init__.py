@@ -1,4 +1,5 @@
-"""Reports on publications, a folder each: their plan of runs, tables, claims and pictures.
+"""Reports on publications, one folder each: the plan of runs, tables, claims and pictures.
 
-``report.py`` of a folder is a subcommand of ``python -m eval``, as those of :mod:`eval.reports`.
+The ``report.py`` of a folder is a subcommand of ``python -m eval``, like those of
+:mod:`eval.reports`.
 """

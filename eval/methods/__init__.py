@@ -1,12 +1,12 @@
-"""Rivals, one a file.
+"""Methods of stylization to compare, one file each.
 
-A method is a frozen dataclass of what it may be told, with
+A method is a frozen dataclass of its parameters, with
 
-- ``name``: for people, as ``ref, λ = 10000``;
-- ``code``: digest of the code its result depends on;
-- ``device``: what it runs on here;
-- ``cost``: seconds of a run over those of ``ref``, roughly;
+- ``name``: text for people, such as ``ref, λ = 10000``;
+- ``code``: digest of the code that its result depends on;
+- ``device``: name of the device that it runs on here;
+- ``cost``: rough time of a run, where ``ref`` takes 1;
 - ``run(scene, seed, progress)``: returns an :class:`eval.outcome.Outcome`.
 
-Nothing else has to know of it: a :class:`eval.runs.job.Job` takes any.
+No list has to name it: a :class:`eval.runs.job.Job` takes any method.
 """

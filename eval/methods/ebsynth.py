@@ -1,4 +1,4 @@
-"""Ebsynth (Jamriška 2018), if its binary is at hand: a program that reads and writes files."""
+"""Ebsynth (Jamriška 2018), if its program is installed; it reads and writes files."""
 
 import hashlib
 import shutil
@@ -13,7 +13,7 @@ from eval.outcome import Outcome
 from stylit_ref import InputError, Params, read_image, read_uint8, write_image
 
 CONFIGURATION = {"uniformity": 3500, "levels": 7, "votes": 6, "patchmatch_iterations": 4}
-"""Its defaults, by the names of :class:`stylit_ref.Params`."""
+"""Ebsynth's defaults, by the names of :class:`stylit_ref.Params`."""
 
 _FLAGS = {
     "uniformity": "-uniformity",
@@ -25,12 +25,12 @@ _FLAGS = {
 
 @dataclass(frozen=True)
 class Ebsynth:
-    """A run of the binary on the CPU.
+    """A run of the program on the CPU.
 
     Attributes
     ----------
     program : str
-        Path of the binary, or its name on PATH.
+        Path of the program, or its name if it is on PATH.
     uniformity : float
     levels, votes, patchmatch_iterations : int
     """
@@ -65,15 +65,17 @@ class Ebsynth:
         Raises
         ------
         InputError
-            If there is none.
+            If it cannot be started.
         """
         found = shutil.which(self.program)
         if not found:
-            raise InputError(f"{self.program}: is not a program that can be started")
+            raise InputError(
+                f"{self.program}: is not a program that can be started; give the path of ebsynth"
+            )
         return found
 
     def command(self, style, guides, output):
-        """The command line with the metric of ours.
+        """The command line, with weights that give the same metric as ours.
 
         Every guide channel weighs μ/n_g, and every style channel 1/n_s.
 
@@ -104,12 +106,12 @@ class Ebsynth:
         scene : Scene
         seed : int
         progress : callable, optional
-            Not called: the program tells of no steps.
+            Not called: the program reports no steps.
 
         Returns
         -------
         Outcome
-            The picture alone. Its time holds the program's start and files.
+            The image only. Its time includes the program's start and its files.
         """
         with tempfile.TemporaryDirectory() as folder:
             style, guides = write_scene(scene, Path(folder))

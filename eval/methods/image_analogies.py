@@ -1,13 +1,13 @@
 """Image Analogies (Hertzmann et al. 2001), for the background comparison (thesis, figure 1.1).
 
-Pixel after pixel in scan order, coarse to fine: the source pixel whose neighbourhood matches best,
-or one that continues the source next to an already synthesized neighbour, where that is hardly
+From coarse to fine, in scan order, each pixel takes the source pixel whose neighbourhood matches
+best, or one that continues the source next to an already synthesized neighbour if that is hardly
 worse (BestMatch of their section 3.1). As in the thesis' figure only the first guide is used.
 
-One thing differs: their approximate search looks for the whole neighbourhood of every pixel in
-turn; here it looks for all pixels of a level at once, by what is known before the scan (both
-levels of the guide, the coarser level of the output), and the scan chooses among the eight
-nearest by the whole neighbourhood.
+One thing differs. Their approximate search compares the whole neighbourhood of one pixel after
+another. Here it finds the eight nearest source pixels for all pixels of a level at once, by what
+is known before the scan: both levels of the guide, and the coarser level of the output. The scan
+then chooses among the eight by the whole neighbourhood.
 """
 
 import time
@@ -24,9 +24,9 @@ from eval.outcome import Outcome
 from stylit_ref.machine.code_digest import code_digest
 
 FINE, COARSE = 5, 3
-"""Widths of the neighbourhoods on a level and on the coarser one (their section 3.1)."""
+"""Widths of the neighbourhoods on a level and on the next coarser one (their section 3.1)."""
 DIMENSIONS = 24
-"""Principal components that the approximate search sees."""
+"""Number of principal components that the approximate search uses."""
 NEAREST = 8
 APPROXIMATION = 1.0
 """ε of the approximate search, as in their paper."""
@@ -36,7 +36,7 @@ _CODE = code_digest(__file__, without=("gpu_cuda",))
 
 @dataclass(frozen=True)
 class ImageAnalogies:
-    """Parameters.
+    """Image Analogies with its parameters.
 
     Attributes
     ----------
@@ -70,7 +70,7 @@ class ImageAnalogies:
         scene : Scene
         seed : int
         progress : callable, optional
-            Not called: there are no steps to tell of.
+            Not called: the method reports no steps.
 
         Returns
         -------
@@ -98,7 +98,7 @@ def image_analogies(style, source_guide, target_guide, params):
     image : (H_B, W_B, n) uint8
     nnf : (H_B, W_B, 2) int32
     omega : (H_A, W_A) int32
-        How many pixels were taken from each.
+        How many target pixels were taken from each source pixel.
     levels : tuple of (H, W, n) uint8
         The coarsest first.
     """
@@ -123,7 +123,7 @@ def image_analogies(style, source_guide, target_guide, params):
 
 
 def _pyramid(image, levels):
-    """Coarsest first."""
+    """The levels of an image, the coarsest first."""
     pyramid = [image.astype(np.float32)]
     for _ in range(levels - 1):
         height, width = (side // 2 * 2 for side in pyramid[-1].shape[:2])
@@ -132,7 +132,7 @@ def _pyramid(image, levels):
 
 
 def _neighbourhoods(image, width):
-    """Every pixel's neighbourhood, weighted by a Gaussian, each as heavy as one pixel."""
+    """Every pixel's neighbourhood, times weights whose squares are Gaussian and sum to 1."""
     radius = width // 2
     padded = np.pad(image, ((radius, radius), (radius, radius), (0, 0)), mode="edge")
     windows = view_as_windows(padded, (width, width, image.shape[2]))[:, :, 0]
@@ -143,7 +143,7 @@ def _neighbourhoods(image, width):
 
 
 def _known(guide, coarser):
-    """What is known of every pixel before the scan, (H, W, n) float32."""
+    """The features that are known of every pixel before the scan, (H, W, n) float32."""
     features = [_neighbourhoods(guide, FINE)]
     for image in coarser:
         parents = (
@@ -170,7 +170,7 @@ def _candidates(source, target):
 
 @njit
 def _scan(source, target, style, size, candidates, tolerance):
-    """The scan of a level: B' and for every pixel its source pixel."""
+    """Scan a level: returns B' and the source pixel of every pixel."""
     height, width = size
     channels = style.shape[2]
     made = np.zeros((height, width, channels), np.float32)
@@ -206,7 +206,7 @@ def _scan(source, target, style, size, candidates, tolerance):
 
 @njit
 def _distance(source, target, style, made, y, x, source_y, source_x, limit):
-    """Squared distance of what is known and of what is synthesized so far; at least ``limit``."""
+    """Squared distance of known and synthesized features; it may stop once it reaches ``limit``."""
     total = 0.0
     for c in range(source.shape[2]):
         total += (target[y, x, c] - source[source_y, source_x, c]) ** 2

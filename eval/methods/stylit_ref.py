@@ -34,7 +34,7 @@ class StylitRef:
 
     @property
     def name(self):
-        """The method and the parameter that is varied."""
+        """The method, and the parameter that reports vary."""
         settings = {
             "guide_map": f"ε = {self.params.epsilon:g}",
             "stylit": str(self.params.budget),
@@ -44,7 +44,7 @@ class StylitRef:
 
     @property
     def code(self):
-        """Digest of the algorithms, and of the CUDA kernels where they run."""
+        """Digest of the algorithms, and of the CUDA kernels if they run."""
         return _CODE if self.backend == "cpu" else _CODE_ON_GPU
 
     @property
@@ -54,11 +54,11 @@ class StylitRef:
 
     @property
     def cost(self):
-        """StyLit's retrievals are searches of their own."""
+        """More for StyLit, whose retrievals are additional searches."""
         return 6.0 if self.params.method == "stylit" else 1.0
 
     def run(self, scene, seed, progress=None):
-        """Stylize a scene with kernels that are compiled.
+        """Stylize a scene; the kernels are compiled first.
 
         Parameters
         ----------
@@ -87,7 +87,7 @@ class StylitRef:
         )
         seconds = time.perf_counter() - start
         history = pd.DataFrame([asdict(step) for step in result.history])
-        if self.params.method == "stylit":  # no λρ is part of what it minimizes
+        if self.params.method == "stylit":  # it does not minimize λρ
             history = history.drop(columns="penalization")
         return Outcome(
             image=result.image,
@@ -102,7 +102,7 @@ class StylitRef:
 
 
 def compile_kernels(scene, params, backend="cpu"):
-    """Run the same kernels on a corner of the scene, so that timings hold no compilation."""
+    """Run the same kernels on a corner of the scene, so that timings include no compilation."""
     corner = np.s_[: 4 * params.patch_width, : 4 * params.patch_width]
     stylize(
         scene.style[corner],

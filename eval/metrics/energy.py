@@ -1,4 +1,4 @@
-"""The energy that the run itself tells of when its last search ends."""
+"""The energy that the run reports after its last search."""
 
 from eval.number import Number
 
@@ -14,7 +14,7 @@ DEFINITION = """\
 
 
 def measure(scene, outcome):
-    """δ, and with an occurrence map λρ and their sum φ."""
+    """δ, and for methods with an occurrence map also λρ and their sum φ."""
     if outcome.history.empty:
         return {}
     last = outcome.history.iloc[-1]

@@ -1,4 +1,4 @@
-"""Image energy: how well a finished image is made of patches of the style."""
+"""Image energy: how well patches of the style match a finished image."""
 
 from dataclasses import dataclass
 
@@ -48,8 +48,8 @@ def measure(scene, outcome):
 def image_energy(scene, image, patch_width=5, seed=1) -> ImageEnergy:
     """Search the best source patch for every patch of an image.
 
-    The metric is that of the synthesis at λ = 0 and μ = 2, all guides alike, whoever
-    made the image and however, so that tools can be compared.
+    The metric is always that of the synthesis at λ = 0 and μ = 2 with equal guide weights, so that
+    images of different tools can be compared.
 
     Parameters
     ----------

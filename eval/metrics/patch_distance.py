@@ -1,4 +1,4 @@
-"""How much the patches of an image, all together, look like those of the style."""
+"""How similar the patches of an image are, as a whole, to those of the style."""
 
 import numpy as np
 import ot
@@ -18,29 +18,29 @@ DEFINITION = """\
 
 
 def measure(scene, outcome):
-    """Of the finished image."""
+    """The patch distance of the finished image."""
     return {"patches": patch_distance(outcome.image, scene.style)}
 
 
 def patch_distance(image, style, patch_width=5, seed=0):
     """Sliced Wasserstein distance between the patches of an image and those of the style.
 
-    Wash-out and repetition change which patches there are and how often; where each of them lies
-    does not count.
+    Wash-out and repetition change which patches occur and how often. The positions of patches do
+    not count.
 
     Parameters
     ----------
     image, style : (H, W, n) uint8
-        Of any sizes.
+        They may differ in size.
     patch_width : int
     seed : int
-        Of the patches drawn, 10000 of each image at most, and of the 64 directions.
+        Seed of the random patches, at most 10000 of each image, and of the 64 directions.
 
     Returns
     -------
     float
-        Root mean square over the directions, in 8-bit steps; 0 for the same image. For other
-        images it does not fall to 0: both are drawn from.
+        Root mean square over the directions, in 8-bit steps; 0 for the same image. For different
+        images it stays above 0, since the patches are random samples.
     """
     clouds = (_patches(each, patch_width, np.random.default_rng(seed)) for each in (image, style))
     return float(ot.sliced_wasserstein_distance(*clouds, n_projections=PROJECTIONS, seed=seed))

@@ -23,7 +23,7 @@ DEFINITION = """\
 
 
 def measure(scene, outcome):
-    """Richness, and sharpness where it is known what was taken from where."""
+    """Richness, and sharpness if the method tells its NNF."""
     numbers = {"richness": richness(outcome.image, scene.style)}
     if outcome.nnf is not None:
         numbers["sharpness"] = sharpness(outcome.image, scene.style, outcome.nnf)

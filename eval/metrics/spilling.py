@@ -1,4 +1,4 @@
-"""Which target patches were taken from another object (spilling, thesis 5.2.4)."""
+"""Spilling: target patches that were taken from another object (thesis 5.2.4)."""
 
 from eval.number import Number
 
@@ -9,7 +9,7 @@ DEFINITION = """\
 
 
 def measure(scene, outcome):
-    """The share of them, where the scene tells objects apart."""
+    """The share of spilled patches, if the scene has object ids."""
     if scene.ids is None or outcome.nnf is None:
         return {}
     return {"spilled": float(spilling(outcome.nnf, scene.ids).mean())}

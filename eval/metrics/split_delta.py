@@ -1,4 +1,4 @@
-"""δ of a finished image, guides and style apart."""
+"""δ of a finished image, in two parts: guides and style."""
 
 from eval.number import Number
 from stylit_ref import Params
@@ -13,7 +13,7 @@ DEFINITION = """\
 
 
 def measure(scene, outcome):
-    """Both parts, where it is known what was taken from where."""
+    """Both parts, if the method tells its NNF."""
     if outcome.nnf is None:
         return {}
     guides, style = split_delta(scene, outcome.image, outcome.nnf)

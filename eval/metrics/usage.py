@@ -22,7 +22,7 @@ DEFINITION = """\
 
 
 def measure(scene, outcome):
-    """All four, where it is known what was taken from where."""
+    """All four numbers, if the method tells its NNF."""
     if outcome.omega is None:
         return {}
     return {
@@ -34,7 +34,7 @@ def measure(scene, outcome):
 
 
 def coverage(omega):
-    """Share of source pixels that some assigned patch covers.
+    """Share of source pixels that an assigned patch covers.
 
     Parameters
     ----------
@@ -48,7 +48,7 @@ def coverage(omega):
 
 
 def peak_usage(omega, target_patches, patch_width):
-    """The most used source pixel's Ω over ω_best; 1 would be perfectly even.
+    """Largest Ω of any source pixel over ω_best; 1 would be perfectly even.
 
     Parameters
     ----------
@@ -77,7 +77,7 @@ def usage_entropy(omega):
 
 
 def distinct_patches(nnf):
-    """Different source centres over target patches.
+    """Number of different source centres over the number of target patches.
 
     Parameters
     ----------

@@ -1,1 +1,1 @@
-"""What reports are made with: pages, tables, figures, options."""
+"""Parts of reports: pages, tables, figures, options."""

@@ -45,7 +45,7 @@ def comparison(rows, zoom, file):
     """
     columns = max(len(row) for row in rows)
     height, width = rows[0][-1][1].shape[:2]
-    dpi = 100 if width <= 320 else 200  # a large image deserves a large place
+    dpi = 100 if width <= 320 else 200  # large images keep their detail
     figure = Figure(
         figsize=(3.2 * columns, 2 * len(rows) * (3.2 * height / width) + 0.5),
         layout="constrained",
@@ -71,23 +71,23 @@ def comparison(rows, zoom, file):
 
 
 def _in_colour(image):
-    """A grey image as it is: with one channel its tones would be stretched."""
+    """An image with three channels: matplotlib would stretch the tones of a single one."""
     return np.repeat(image[:, :, :1], 3, axis=2) if image.shape[2] < 3 else image
 
 
 def detailed_window(weights, share=0.25):
-    """Where an image is most detailed: top and left of a window, as shares.
+    """Find the most detailed square of an image.
 
     Parameters
     ----------
     weights : (H, W) array
     share : float
-        Side of the window over the image's.
+        Side of the square over that of the image.
 
     Returns
     -------
     tuple of 4 float
-        Top, left, height, width.
+        Top, left, height, width, as shares of the image.
     """
     best = max(
         ((top / 20, left / 20) for top in range(1, 14) for left in range(1, 14)),
@@ -102,10 +102,10 @@ def _window(shape, top, left, share):
 
 
 def nnf_colours(nnf, source_size):
-    """An NNF as a picture: from green to red along the source's rows, blue to yellow down them.
+    """Show an NNF as colours: green to red from left to right, blue to yellow from top to bottom.
 
-    Equal lightness everywhere, so that only the place in the source tells in it. Coherent
-    areas come out as smooth shades, what jumps as edges.
+    Lightness is equal everywhere, so that colour shows the position in the source and nothing else.
+    Coherent areas appear as smooth shades, jumps as edges.
 
     Parameters
     ----------

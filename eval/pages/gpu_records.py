@@ -1,4 +1,4 @@
-"""What GPUs did, from the records in ``reports/gpu`` and, before them, ``build/reports/gpu``."""
+"""Records of GPUs, in ``reports/gpu`` and, preferably, in ``build/reports/gpu``."""
 
 import json
 
@@ -13,12 +13,12 @@ def gpu_records(scene, size):
     scene : str
         TARGET/STYLE.
     size : str
-        As ``300x228``.
+        Such as ``300x228``.
 
     Returns
     -------
     dict of str to dict
-        By device; as :func:`eval.reports.gpu.record` makes them.
+        By device; made by :func:`eval.reports.gpu.record`.
     """
     found = {}
     for file in record_files(COMMITTED / "gpu") + record_files(BUILT / "gpu"):
@@ -29,5 +29,5 @@ def gpu_records(scene, size):
 
 
 def record_files(folder):
-    """The records in a folder, one of each device."""
+    """The record files in a folder, one for each device."""
     return sorted(file for file in folder.glob("*.json") if file.name != RECORD)

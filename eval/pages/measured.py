@@ -1,4 +1,4 @@
-"""The numbers that most reports show of a run."""
+"""The numbers of a run that most reports show."""
 
 from eval.runs.local import numbers, run
 
@@ -20,7 +20,7 @@ def row(job):
     Returns
     -------
     dict of str to float
-        ``seconds``, and those of :data:`COLUMNS` that apply.
+        ``seconds``, and the :data:`COLUMNS` that apply.
     """
     found = numbers(job, METRICS)
     return {"seconds": run(job).seconds} | {name: found[name] for name in COLUMNS if name in found}

@@ -1,4 +1,4 @@
-"""Options that several reports have."""
+"""Options that several reports share."""
 
 from pathlib import Path
 
@@ -10,39 +10,43 @@ def add_scene(parser, default):
     """``--scene``, ``--data`` and ``--step``, for :func:`scene_of`."""
     parser.add_argument(
         "--scene", default=default,
-        help=f"TARGET/STYLE of the data set, or a folder of yours (default {default})",
+        help=f"TARGET/STYLE of the data set, or the folder of your own scene (default {default})",
     )  # fmt: skip
     add_data(parser)
-    parser.add_argument("--step", type=int, default=1, help="keep every STEPth pixel (default 1)")
+    parser.add_argument(
+        "--step", type=int, default=1, help="keep only every STEPth row and column (default 1)"
+    )
 
 
 def add_data(parser):
     """``--data``."""
-    parser.add_argument("--data", default=BUNDLED, help="folder of a data set (default: bundled)")
+    parser.add_argument("--data", default=BUNDLED, help="folder of the data set (default: bundled)")
 
 
 def add_output(parser, default):
     """``--output``, for :func:`folder_of`."""
-    parser.add_argument("--output", type=Path, help=f"folder (default: {BUILT}/{default})")
+    parser.add_argument(
+        "--output", type=Path, help=f"folder of the report (default: {BUILT}/{default})"
+    )
 
 
 def add_seed(parser):
     """``--seed``."""
-    parser.add_argument("--seed", type=int, default=0, help="of every run (default 0)")
+    parser.add_argument("--seed", type=int, default=0, help="seed of every run (default 0)")
 
 
 def add_numbers(parser):
     """``--numbers``."""
     parser.add_argument(
-        "--numbers", action="store_true", help="no images, for scenes that are not yours to share"
+        "--numbers", action="store_true", help="write no images, for scenes you may not share"
     )
 
 
 def scene_of(options):
-    """The scene that is asked for."""
+    """Read the scene that the options name."""
     return load_scene(options.scene, options.data, options.step)
 
 
 def folder_of(options, name):
-    """The folder that is asked for, or the report's own."""
+    """The folder that ``--output`` names, or the report's default."""
     return options.output or BUILT / name

@@ -1,7 +1,7 @@
-"""Reports: Markdown, a page for the browser, and a CSV of every table, whole or not at all.
+"""Write reports: Markdown, a page for the browser, and a CSV for every table.
 
-Every report goes to a folder of its own in ``build/reports``. What of it is committed, the report
-says itself; :mod:`eval.reports.publish` copies it.
+Every report has its own folder in ``build/reports``, and a failure leaves none half-written. The
+report itself lists the files to commit; :mod:`eval.reports.publish` copies them.
 """
 
 import base64
@@ -17,13 +17,13 @@ from markdown_it import MarkdownIt
 from eval.pages.tables import table
 
 BUILT = Path("build/reports")
-"""Where reports are written."""
+"""Folder of finished reports."""
 
 COMMITTED = Path("reports")
-"""Where the slim copies lie that are committed."""
+"""Folder of the small, committed copies."""
 
 RECORD = "report.json"
-"""File of a report that says what it was made of, its files, and which of them to commit."""
+"""File in a report's folder that records its inputs, its files, and which of them to commit."""
 
 _PARTIAL = ".partial_"
 
@@ -52,7 +52,7 @@ document.addEventListener("click", event => {{
 
 
 class Report:
-    """A report in the making: its files, and the Markdown that shows them.
+    """A report that is being written: its files, and the Markdown that shows them.
 
     Parameters
     ----------
@@ -69,9 +69,9 @@ class Report:
         ----------
         name, caption : str
         draw : callable
-            Called with ``arguments`` and the file.
+            Called with ``arguments``, then the file.
         committed : bool
-            Whether the figure is among the few of the committed copy.
+            Whether the committed copy has this figure.
 
         Returns
         -------
@@ -95,7 +95,7 @@ class Report:
         return f"[{file}]({file})"
 
     def page(self, title, sections):
-        """Write ``report.md`` and ``report.html``, which has its figures within.
+        """Write ``report.md``, and ``report.html`` with the figures embedded.
 
         Parameters
         ----------
@@ -122,13 +122,13 @@ class Report:
 
 @contextmanager
 def new_report(folder, inputs=None):
-    """Make a report in a folder beside the last one, which it replaces when it is whole.
+    """Make a report in a temporary folder; it replaces the last one when it is complete.
 
     Parameters
     ----------
     folder : Path
     inputs : str, optional
-        Identifies everything the report is made of (:func:`is_up_to_date`).
+        Identifies everything that the report is made from (:func:`is_up_to_date`).
 
     Yields
     ------
@@ -143,18 +143,18 @@ def new_report(folder, inputs=None):
         write_record(report.folder, report.files, report.committed, inputs)
         for file in (*read_record(folder)["files"], RECORD):
             (folder / file).unlink(missing_ok=True)
-        for file in (*report.files, RECORD):  # the record last: without it the report is made again
+        for file in (*report.files, RECORD):  # the record last: a report without it is made again
             (report.folder / file).replace(folder / file)
 
 
 def write_record(folder, files, committed, inputs=None):
-    """Keep what a report says of itself."""
+    """Write the record of a report."""
     record = {"inputs": inputs, "files": files, "committed": committed}
     (folder / RECORD).write_text(json.dumps(record, indent=1) + "\n", encoding="utf-8")
 
 
 def read_record(folder):
-    """What a report says of itself: ``inputs``, ``files``, ``committed``; nothing without one."""
+    """The record of a report: ``inputs``, ``files``, ``committed``; empty if there is none."""
     try:
         record = json.loads((folder / RECORD).read_text(encoding="utf-8"))
         names = {part: list(map(str, record[part])) for part in ("files", "committed")}
@@ -166,18 +166,18 @@ def read_record(folder):
 
 
 def is_up_to_date(folder, inputs):
-    """Whether the report there is whole and made of these inputs."""
+    """Whether the folder holds a complete report made from these inputs."""
     record = read_record(folder)
     return record["inputs"] == inputs and all((folder / file).exists() for file in record["files"])
 
 
 def html_page(title, text):
-    """A page for the browser, readable on a phone; images enlarge when they are clicked.
+    """A page for the browser, also for a phone; a click enlarges an image.
 
     Parameters
     ----------
     title, text : str
-        The text in Markdown.
+        ``text`` is Markdown.
 
     Returns
     -------
@@ -191,7 +191,7 @@ def html_page(title, text):
 
 
 def shown(folder):
-    """Print a report and where it lies; returns the exit code."""
+    """Print a report and its path; returns the exit code."""
     print((folder / "report.md").read_text(encoding="utf-8"))
     print(f"Written: {folder / 'report.html'}")
     return 0

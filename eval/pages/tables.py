@@ -10,12 +10,12 @@ COLUMNS = NUMBERS | {"seconds": Number("time [s]", "{:.1f}")}
 
 
 def table(frame):
-    """A data frame as a Markdown table; each column says its own format."""
+    """A data frame as a Markdown table."""
     return frame.to_markdown(index=False, disable_numparse=True)
 
 
 def formatted(frame):
-    """A data frame whose numbers have the titles and formats of :data:`COLUMNS`."""
+    """A data frame whose columns get the titles and formats of :data:`COLUMNS`."""
     formatted = frame.copy()
     for name, number in COLUMNS.items():
         if name in formatted:
@@ -30,7 +30,7 @@ def formatted_with_spread(frame, numbers):
     Parameters
     ----------
     frame : pandas.DataFrame
-        A column ``method``, and for each number one of its name and maybe one with ``±``.
+        A column ``method``, and for each number one of its name and optionally one with ``±``.
     numbers : dict of str to Number
 
     Returns
@@ -51,7 +51,7 @@ def formatted_with_spread(frame, numbers):
 
 
 def with_spread(rows):
-    """Mean of each number, and with more than one row its sample standard deviation (``±``).
+    """Mean of each number and, if there are several rows, sample standard deviation (``±``).
 
     Parameters
     ----------

@@ -1,5 +1,5 @@
-"""Reports, one a file: each is a subcommand of ``python -m eval`` by its being here.
+"""Reports, one file each: every file in this folder is a subcommand of ``python -m eval``.
 
-The first line of its text is its help. ``add_options(parser)`` declares what it may be told,
+The first line of its docstring is its help. ``add_options(parser)`` declares its options;
 ``main(options)`` makes the report and returns the exit code.
 """

@@ -1,7 +1,7 @@
-"""Time, memory and energy of whole programs on a scene, in one run.
+"""Measure time, memory and energy of whole programs on a scene.
 
-With the path of an ebsynth binary the same scene goes through both, so that ratios do
-not depend on how fast or busy the machine is.
+With --ebsynth, both programs run on the same scene in turns, so that their ratios do not depend
+on how fast or busy the machine is.
 """
 
 import os
@@ -43,7 +43,7 @@ _FLAGS = {
 def add_options(parser):
     """Declare what the report may be told."""
     shared.add_scene(parser, "golem/crayon")
-    parser.add_argument("--ebsynth", help="binary to measure beside")
+    parser.add_argument("--ebsynth", help="path of an ebsynth program to measure too")
     shared.add_output(parser, "bench_SCENE_SIZE")
 
 
@@ -56,7 +56,7 @@ def main(options):
 
 
 def bench(scene, folder, ebsynth=None):
-    """Measure every configuration, sizes and compilation, and write a page.
+    """Measure every configuration, several sizes and compilation, and write a page.
 
     Parameters
     ----------
@@ -77,7 +77,7 @@ def bench(scene, folder, ebsynth=None):
             binary, **configuration
         ).command(*images, output)
     configurations = {
-        "preset fast": (FAST, ours),  # at ebsynth's λ, for equal terms
+        "preset fast": (FAST, ours),  # with ebsynth's λ, for a fair comparison
         "ebsynth's defaults": (EBSYNTH_DEFAULTS, both),
         "thesis configuration": (THESIS, both),
     }
@@ -136,7 +136,7 @@ def bench(scene, folder, ebsynth=None):
 
 
 def _thread_ratio(scene):
-    """How much all threads save over one, on two votes of the thesis configuration."""
+    """Time of one thread over that of all threads, on two votes of the thesis configuration."""
     available = numba.config.NUMBA_NUM_THREADS
     params = Params(**(THESIS | {"votes": 2, "patchmatch_iterations": 2}))
     compile_kernels(scene, params)
@@ -149,7 +149,7 @@ def _thread_ratio(scene):
 
 
 def _ratios(frame):
-    """Ebsynth over stylit-ref, a line for each configuration; ``fast`` against its defaults."""
+    """Ebsynth over stylit-ref, a line for each configuration; ``fast`` is against its defaults."""
     lines = []
     for ours in frame[frame["program"] == "stylit-ref"].to_dict("records"):
         name = ours["configuration"]
@@ -166,7 +166,7 @@ def _ratios(frame):
 
 
 def _compilation(images, workplace):
-    """What a first process takes over later ones: two runs of a preview with an empty cache."""
+    """Time of a first process against that of later ones, from two runs with a new cache."""
     command = _stylit_ref_command(images, FAST, workplace / "first.png")
     environment = os.environ | {"NUMBA_CACHE_DIR": str(workplace / "kernels")}
     first, later = (process_cost(command, environment).seconds for _ in range(2))

@@ -1,4 +1,4 @@
-"""What guide maps change and what they save (thesis 5.2.3, 5.2.4)."""
+"""Measure what guide maps change and what they save (thesis 5.2.3, 5.2.4)."""
 
 import time
 from dataclasses import replace
@@ -25,10 +25,10 @@ from stylit_ref.stylization.problem import make_synthesis
 
 EPSILONS = (3, 5, 10, 25, 100, 500, 5000, 10000)
 BEYOND = 50000
-"""An ε at which edges of little contrast are lost for certain."""
+"""An ε so large that edges of little contrast are certainly lost."""
 MAPS_SHOWN = (10, 100, 500, 5000, BEYOND)
 BLACK, WHITE = 0.0, 1e9
-"""No patch varies by less than the first; all do by less than the second."""
+"""No patch varies by less than the first; all patches vary by less than the second."""
 
 DEFINITIONS = """\
 - **white**: share of the finest level's target patches whose guides vary by less than ε.
@@ -62,7 +62,7 @@ def epsilon_report(scene, folder, seed=0, pictures=True):
     folder : Path
     seed : int
     pictures : bool
-        False leaves out every image, for scenes that are not ours to show.
+        False leaves out every image, for scenes that we may not show.
 
     Returns
     -------
@@ -159,7 +159,7 @@ def _synthesis(scene, params, module, seed):
 def _figure(scene, results, seed, report):
     """Thesis 5.2 to 5.8: style, guide, StyLit, ref, ε rising; then guide maps.
 
-    The zoom shows where the thesis' largest ε differs most from ref, strokes blurred away.
+    The zoom shows where the thesis' largest ε differs most from ref: strokes are blurred away.
     """
     first = [
         ("style", scene.style),

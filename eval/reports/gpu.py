@@ -1,7 +1,7 @@
-"""What the CUDA kernels do on this machine's GPU: equal bytes, times.
+"""Compare the CUDA kernels with the CPU, byte for byte, and time them on this machine's GPU.
 
-A scene is named as elsewhere, or it is a file written by ``--pack``, for machines without
-OpenImageIO.
+For a machine without OpenImageIO, write a scene to a file with --pack on another machine, and
+give that file as SCENE.
 """
 
 import json
@@ -35,8 +35,8 @@ SEARCH = (
     "decide_kernel",
     "follow_kernel",
 )
-"""The kernels of GPU_PatchMatch. A live schedule's runs also count Ω anew and evaluate δ after
-every iteration, for the history; the thesis' do not."""
+"""The kernels of GPU_PatchMatch. Runs of a live schedule also recount Ω and evaluate δ after every
+iteration, for the history; the thesis' program does not."""
 
 
 SETTINGS = (
@@ -61,7 +61,7 @@ SETTINGS = (
         for shared in (False, True)
     }
 )
-"""Params and backend of every whole run; without λ in the name it is the default."""
+"""Params and backend of every whole run; a name without λ stands for the default λ."""
 
 
 def record(style, source_guides, target_guides, settings):
@@ -77,8 +77,8 @@ def record(style, source_guides, target_guides, settings):
     Yields
     ------
     dict
-        The record as it stands after each setting. ``seconds`` are of whole runs from host to
-        host, ``kernels [s]`` the device's own, ``search [s]`` the sum over GPU_PatchMatch's.
+        The record so far, after each setting. ``seconds`` is the time of a whole run from host to
+        host, ``kernels [s]`` that of each kernel, ``search [s]`` the sum over GPU_PatchMatch's.
     """
     scene = style, source_guides, target_guides
     height, width = target_guides[0].shape[:2]
@@ -135,9 +135,11 @@ def add_options(parser):
     parser.add_argument(
         "scenes", nargs="*", default=["golem/oil"], metavar="SCENE",
         help="TARGET/STYLE (default golem/oil), FOLDER:TARGET/STYLE of another data set, or a "
-        "packed file",
+        "file written by --pack",
     )  # fmt: skip
-    parser.add_argument("--pack", type=Path, metavar="FILE.npz", help="write the first scene there")
+    parser.add_argument(
+        "--pack", type=Path, metavar="FILE.npz", help="only write the first scene to this file"
+    )
     shared.add_output(parser, "gpu")
 
 

@@ -1,6 +1,6 @@
-"""What ptxas says of every kernel, without a GPU: registers, shared memory, spills.
+"""Compile every kernel without a GPU: registers, shared memory and spills, as ptxas counts them.
 
-Needs the extra ``ptx``.
+This needs the packages of the extra "ptx"; 'make ptx' installs them.
 """
 
 import re
@@ -29,7 +29,7 @@ def assembled(ptxas, ptx, capability, block):
     ptx : str
     capability : (int, int)
     block : (int, int)
-        A thread may take as many registers as let a block of this size start.
+        A thread may take as many registers as allow a block of this size to start.
     """
     with tempfile.NamedTemporaryFile("w", suffix=".ptx", encoding="utf-8") as file:
         file.write(ptx)
@@ -59,7 +59,7 @@ def main(options):
     try:
         from cuda.pathfinder import find_nvidia_binary_utility
     except ImportError:
-        raise InputError("ptx needs the assembler: 'make ptx' installs it") from None
+        raise InputError("the assembler ptxas is not installed; 'make ptx' installs it") from None
     ptxas = find_nvidia_binary_utility("ptxas")
     rows, spilled = [], []
     tasks = [

@@ -1,7 +1,6 @@
-"""The slim copies of reports that are committed.
+"""Copy finished reports to the folder of committed reports, with small and few figures.
 
-Of a report in ``build/reports`` it takes what the report's record lists: the page without its
-other figures, the CSVs, and the chosen figures, each made small enough.
+A report's record lists what is committed: the page, the CSVs, and some of the figures.
 """
 
 import io
@@ -14,7 +13,7 @@ from eval.pages.page import BUILT, COMMITTED, RECORD, read_record
 from stylit_ref import InputError
 
 MOST_BYTES = 250_000
-"""Of a committed figure."""
+"""Most bytes of a committed figure."""
 
 MOST_PIXELS = 2000
 """Width of a committed figure."""
@@ -24,24 +23,24 @@ def add_options(parser):
     """Declare what the command may be told."""
     parser.add_argument(
         "names", nargs="*", metavar="NAME",
-        help=f"folders of {BUILT} (default: those of which a copy is committed already)",
+        help=f"folders of {BUILT} to copy (default: those that have a committed copy already)",
     )  # fmt: skip
 
 
 def main(options):
-    """Copy; returns the exit code."""
+    """Copy the reports; returns the exit code."""
     for folder in publish(options.names):
         print(f"Written: {folder}")
     return 0
 
 
 def publish(names=()):
-    """Copy reports to where they are committed.
+    """Copy reports to the folder of committed reports.
 
     Parameters
     ----------
     names : sequence of str
-        Folders of ``build/reports``. By default those of which a copy is committed already.
+        Folders of ``build/reports``; by default those that have a committed copy already.
 
     Returns
     -------
@@ -51,16 +50,18 @@ def publish(names=()):
     Raises
     ------
     InputError
-        If a report is not there, or none is.
+        If a report is not finished, or there is none to copy.
     """
     names = names or sorted(
         folder.name for folder in COMMITTED.glob("*/") if (BUILT / folder.name / RECORD).exists()
     )
     if not names:
-        raise InputError(f"{BUILT}: none of the committed reports is here; make one first")
+        raise InputError(f"{BUILT}: holds none of the committed reports; make one first")
     for name in names:
         if not (BUILT / name / RECORD).exists():
-            raise InputError(f"{BUILT / name}: is not a finished report; make it first")
+            raise InputError(
+                f"{BUILT / name}: is not a finished report; make it with python -m eval"
+            )
     return [_publish(BUILT / name, COMMITTED / name) for name in names]
 
 
@@ -82,7 +83,7 @@ def _publish(built, folder):
 
 
 def only_figures(text, files):
-    """A page without the figures that are not among some files.
+    """A page with only those figures that are among some files.
 
     Parameters
     ----------
@@ -104,7 +105,7 @@ def only_figures(text, files):
 
 
 def small_figure(file):
-    """A figure as WebP of at most :data:`MOST_BYTES`; one that is small already, as it is.
+    """A figure as WebP of at most :data:`MOST_BYTES`; a small file stays as it is.
 
     Parameters
     ----------
@@ -120,7 +121,7 @@ def small_figure(file):
     width = min(image.width, MOST_PIXELS)
     while True:
         scaled = image.resize((width, round(image.height * width / image.width)), Image.LANCZOS)
-        for quality in (80, 65):  # below, letters blur more than by fewer pixels
+        for quality in (80, 65):  # lower quality blurs letters more than a smaller image does
             encoded = io.BytesIO()
             scaled.save(encoded, "WEBP", quality=quality, method=6)
             if encoded.tell() <= MOST_BYTES:

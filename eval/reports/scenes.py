@@ -1,4 +1,4 @@
-"""What a data set holds, to be looked at: all passes, all styles, every target in every style."""
+"""Show a data set: all passes, all styles, and every target in every style."""
 
 from functools import partial
 from pathlib import Path
@@ -104,7 +104,7 @@ source view."""
 
 
 def _sheet(tile):
-    """A contact sheet with images of this width."""
+    """A function that draws a contact sheet with images of this width."""
     return partial(contact_sheet, tile=tile)
 
 
@@ -144,7 +144,7 @@ def _house(manifest):
 
 
 def _stylize(manifest, targets, seed):
-    """Every target in every style: a row of numbers each, and a sheet of the images."""
+    """Stylize every target in every style: a row of numbers for each, and a sheet of the images."""
     renders = [(t, read_uint8(manifest.path(f"{t}/FULL.png"))) for t in ["source", *targets]]
     rows, sheet = [], [renders]
     with tqdm(total=len(manifest.styles) * len(targets), unit="scene", disable=None) as bar:

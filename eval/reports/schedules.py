@@ -1,4 +1,4 @@
-"""The default schedule against sequential PatchMatch with Ω live, at every λ of the thesis."""
+"""Compare the default schedule with sequential PatchMatch (Ω live), at every λ of the thesis."""
 
 import numpy as np
 import pandas as pd
@@ -20,18 +20,18 @@ from stylit_ref import Params
 UNIFORMITIES = (0, 5000, 10000, 15000, 50000, 100000)
 SCHEDULES = ("scanline", "propose_commit")
 MOST_ABOVE = 1.02
-"""φ and δ may exceed those of ``scanline`` by this factor."""
+"""Most that φ and δ may be, as a multiple of those of ``scanline``."""
 
 
 def add_options(parser):
     """Declare what the report may be told."""
     shared.add_scene(parser, "golem/crayon")
     parser.add_argument(
-        "--seeds", type=int, nargs="+", default=[0], help="numbers are means over them (default 0)"
+        "--seeds", type=int, nargs="+", default=[0], help="seeds to average over (default 0)"
     )
     parser.add_argument(
         "--uniformities", type=float, nargs="+", default=UNIFORMITIES, metavar="λ",
-        help="default: those of the thesis",
+        help="values of λ (default: those of the thesis)",
     )  # fmt: skip
     shared.add_numbers(parser)
     shared.add_output(parser, "schedules_SCENE_SIZE")
@@ -56,7 +56,7 @@ def schedules_report(scene, folder, seeds=(0,), uniformities=UNIFORMITIES, pictu
         Numbers are means over them; pictures show the first.
     uniformities : sequence of float
     pictures : bool
-        False leaves out the image, for scenes that are not ours to show.
+        False leaves out the image, for scenes that we may not show.
 
     Returns
     -------

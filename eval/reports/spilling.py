@@ -1,4 +1,4 @@
-"""Spilling, and its cure by an ID guide (thesis 5.2.4)."""
+"""Measure spilling without and with an ID guide, which cures it (thesis 5.2.4)."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -25,10 +25,12 @@ def add_options(parser):
     """Declare what the report may be told."""
     parser.add_argument(
         "--scene", default=SCENES, metavar="TARGET/STYLE,...",
-        help=f"scenes of the data set, with commas between (default {SCENES})",
+        help=f"scenes of the data set, commas between (default {SCENES.replace(',', ', ')})",
     )  # fmt: skip
     shared.add_data(parser)
-    parser.add_argument("--step", type=int, default=1, help="keep every STEPth pixel (default 1)")
+    parser.add_argument(
+        "--step", type=int, default=1, help="keep only every STEPth row and column (default 1)"
+    )
     shared.add_seed(parser)
     shared.add_output(parser, "spilling_DATA")
 
@@ -61,7 +63,7 @@ def spilling_report(names, data, folder, step=1, seed=0):
     for name in tqdm(names, unit="scene", disable=None):
         plain = load_scene(name, data, step)
         if plain.ids is None:
-            raise InputError(f"{name}: is no scene of a data set, and has no IDMASK")
+            raise InputError(f"{name}: has no IDMASK; name TARGET/STYLE of a data set")
         guided = replace(
             plain,
             guide_names=(*plain.guide_names, "IDMASK"),

@@ -1,4 +1,4 @@
-"""StyLit and its options beside the occurrence map (thesis 1.5, 4.2)."""
+"""Compare StyLit and its options with the occurrence map (thesis 1.5, 4.2)."""
 
 import pandas as pd
 from tqdm import tqdm
@@ -55,7 +55,7 @@ def stylit_report(scene, folder, seed=0, pictures=True):
     folder : Path
     seed : int
     pictures : bool
-        False leaves out every image, for scenes that are not ours to show.
+        False leaves out every image, for scenes that we may not show.
 
     Returns
     -------

@@ -1,1 +1,1 @@
-"""Runs and their numbers: what is computed once is not computed again."""
+"""Do runs, measure them, and store the results, so that none is computed twice."""

@@ -1,4 +1,4 @@
-"""Runs done on a Dask cluster."""
+"""Do runs on a Dask cluster."""
 
 import threading
 import time
@@ -9,14 +9,14 @@ from eval.runs.local import work
 from stylit_ref import InputError
 
 RETRIES = 2
-"""Times that a run on a cluster is tried again."""
+"""How often a failed run on a cluster is tried again."""
 
 PATIENCE = "30s"
-"""How long a scheduler may take to answer."""
+"""Seconds that a scheduler may take to answer."""
 
 
 def do_on_cluster(tasks, scheduler, bar):
-    """Do tasks on a cluster; as :func:`eval.runs.local.do_here`.
+    """Do tasks on a cluster, as :func:`eval.runs.local.do_here` does them here.
 
     Parameters
     ----------
@@ -28,7 +28,7 @@ def do_on_cluster(tasks, scheduler, bar):
     Raises
     ------
     InputError
-        If no scheduler answers there.
+        If no scheduler answers at the address.
     """
     from dask.distributed import as_completed
 
@@ -52,7 +52,7 @@ def do_on_cluster(tasks, scheduler, bar):
             try:
                 key, *outcome = future.result()
                 if key != task.job.key:
-                    raise RuntimeError("the worker runs other code than this checkout's")
+                    raise RuntimeError("the worker runs different code; update its checkout")
             except Exception as error:
                 outcome = error
             yield task, outcome
@@ -61,7 +61,7 @@ def do_on_cluster(tasks, scheduler, bar):
 
 
 _ALONE = threading.Lock()
-"""Kernels use all of a worker's processors, and not every threading layer lets two threads in."""
+"""One run at a time: a kernel uses all processors, and some threading layers allow one caller."""
 
 
 def _work_of(scene, method, seed, place, metrics):
@@ -75,11 +75,11 @@ def _client(scheduler):
     try:
         from dask.distributed import Client
     except ImportError:
-        raise InputError("a scheduler needs Dask: pip install -e '.[cluster]'") from None
+        raise InputError("--scheduler needs Dask; pip install -e '.[cluster]'") from None
     try:
         client = Client(scheduler, timeout=PATIENCE)
     except (OSError, ValueError) as error:
-        raise InputError(f"{scheduler}: no Dask scheduler answers there: {error}") from None
+        raise InputError(f"--scheduler {scheduler} does not answer: {error}") from None
     try:
         yield client
     finally:

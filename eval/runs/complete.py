@@ -1,4 +1,4 @@
-"""Do what is not stored yet; every finished run is kept at once."""
+"""Do the runs that are not stored yet, and store each as soon as it is finished."""
 
 import traceback
 from typing import NamedTuple
@@ -13,14 +13,14 @@ from eval.runs.store import store, store_numbers, stored, stored_numbers
 
 
 class Task(NamedTuple):
-    """A run, and the names of what is measured of it."""
+    """A run, and the names of the metrics to measure of it."""
 
     job: Job
     metrics: tuple[str, ...] = tuple(METRICS)
 
 
 def complete(tasks, scheduler=None):
-    """Do what of some tasks is not stored yet.
+    """Do those of some tasks whose results are not stored yet.
 
     Parameters
     ----------
@@ -31,7 +31,7 @@ def complete(tasks, scheduler=None):
     Returns
     -------
     dict of str to str
-        Title of every run that failed, and the last line of what went wrong.
+        Title of every run that failed, and the last line of its error.
     """
     missing = [task for task in tasks if not _is_done(task)]
     if not missing:

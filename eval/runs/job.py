@@ -1,4 +1,4 @@
-"""A run that is to be done, and what its result depends on."""
+"""A run to do, and everything that its result depends on."""
 
 import hashlib
 import json
@@ -14,7 +14,7 @@ _LETTERS = str.maketrans({"λ": "lambda", "ε": "epsilon"})
 
 @dataclass(frozen=True)
 class Job:
-    """What a run's result depends on.
+    """Everything that the result of a run depends on.
 
     Attributes
     ----------
@@ -23,7 +23,7 @@ class Job:
         One of :mod:`eval.methods`.
     seed : int
     place : str, optional
-        Where it runs, for times are of one device. By default the method's own device here.
+        Device that it runs on, since times depend on it. By default the method's device here.
     """
 
     scene: Scene
@@ -42,18 +42,18 @@ class Job:
 
     @cached_property
     def file_name(self):
-        """For people to find it, and a piece of the key to tell it from its like."""
+        """Name of the result's file: readable words, and a part of the key to make it unique."""
         parts = f"{self.scene.name} {self.scene.size}", self.method.name, f"seed {self.seed}"
         words = (re.sub(r"[^A-Za-z0-9.]+", "_", part.translate(_LETTERS)) for part in parts)
         return "-".join([*words, self.key[:8]])
 
     @property
     def title(self):
-        """For progress and errors."""
+        """Name of the run in progress bars and errors."""
         return f"{self.scene.name}, {self.method.name}, seed {self.seed}"
 
     @property
     def cost(self):
-        """In runs of ``ref`` on one pixel."""
+        """Rough time of the run, in units of ``ref`` on one pixel."""
         height, width = self.scene.target_guides[0].shape[:2]
         return height * width * self.method.cost

@@ -1,4 +1,4 @@
-"""Runs done here, one after another."""
+"""Do runs on this machine, one after another."""
 
 import io
 
@@ -7,7 +7,7 @@ from eval.runs.store import encoded, measure, read, run_file, store, store_numbe
 
 
 def run(job, progress=None):
-    """Do a run, or read the result of having done so.
+    """Do a run, or read its stored result.
 
     Parameters
     ----------
@@ -27,7 +27,7 @@ def run(job, progress=None):
 
 
 def numbers(job, metrics=tuple(METRICS)):
-    """Do a run and measure it, or read what was measured.
+    """Do a run and measure it, or read its stored numbers.
 
     Parameters
     ----------
@@ -46,7 +46,7 @@ def numbers(job, metrics=tuple(METRICS)):
 
 
 def compute(job, progress=None):
-    """Do a run; returns what :func:`eval.runs.store.store` keeps."""
+    """Do a run; returns the bytes that :func:`eval.runs.store.store` takes."""
     return encoded(job, job.method.run(job.scene, job.seed, progress))
 
 
@@ -63,7 +63,7 @@ def work(job, metrics=tuple(METRICS), progress=None):
     Returns
     -------
     bytes, dict
-        As :func:`eval.runs.store.store` and :func:`eval.runs.store.store_numbers` keep them.
+        For :func:`eval.runs.store.store` and :func:`eval.runs.store.store_numbers`.
     """
     result = run_file(job).read_bytes() if stored(job) else compute(job, progress)
     return result, measure(job, read(io.BytesIO(result)), metrics)
@@ -76,7 +76,7 @@ def do_here(tasks, bar):
     ----------
     tasks : sequence of Task
     bar : tqdm.tqdm
-        Of their costs.
+        It counts their costs.
 
     Yields
     ------

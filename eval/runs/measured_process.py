@@ -1,7 +1,7 @@
-"""Run a command and write what it took: a program that :mod:`eval.runs.process_cost` starts.
+"""Run a command and report its time and memory; :mod:`eval.runs.process_cost` starts this program.
 
-On Linux a new process takes over the peak of memory of the process that started it. So
-commands are started by this one, which imports nothing large.
+On Linux a new process inherits the peak memory of the process that started it. So commands are
+started by this program, which imports nothing large.
 
 Usage: ``measured_process.py DESCRIPTOR COMMAND...``; writes ``[wall seconds, processor seconds,
 MiB]`` as JSON to an open file descriptor and exits as the command did.

@@ -1,4 +1,4 @@
-"""What a whole program takes: time, processor time and memory."""
+"""Measure the time, processor time and memory of a whole program."""
 
 import json
 import os
@@ -13,7 +13,7 @@ _MEASURED_PROCESS = str(Path(__file__).with_name("measured_process.py"))
 
 
 class Cost(NamedTuple):
-    """What a finished process took: wall and processor seconds, MiB of memory."""
+    """Wall seconds, processor seconds and MiB of memory of a finished process."""
 
     seconds: float
     processor_seconds: float
@@ -21,7 +21,7 @@ class Cost(NamedTuple):
 
 
 def process_cost(command, environment=None):
-    """Run a command to its end and account for it.
+    """Run a command to its end and measure it.
 
     Parameters
     ----------
@@ -35,7 +35,7 @@ def process_cost(command, environment=None):
     Raises
     ------
     InputError
-        If it fails; the message holds the end of its output.
+        If the command fails; the message contains the end of its output.
     """
     reading, writing = os.pipe()
     with open(reading) as report:

@@ -1,4 +1,4 @@
-"""Stored results of runs, and their numbers."""
+"""Store results of runs, and their numbers, in files."""
 
 import io
 import json
@@ -27,9 +27,9 @@ class Run(Outcome):
     Attributes
     ----------
     key : str
-        Of the job it belongs to, wherever its file lies.
+        Key of its job, whatever the name of its file.
     made : str
-        Machine, versions and commit.
+        The machine, versions and commit that made it.
     """
 
     key: str
@@ -37,12 +37,12 @@ class Run(Outcome):
 
 
 def run_file(job):
-    """Where the result of a job is stored."""
+    """The file of the result of a job."""
     return RUNS / f"{job.file_name}.npz"
 
 
 def encoded(job, outcome):
-    """The result of a job as :func:`store` keeps it, bytes."""
+    """The result of a job as bytes, for :func:`store`."""
     arrays = {"image": outcome.image}
     for name in ("nnf", "omega", "guide_map"):
         if getattr(outcome, name) is not None:
@@ -61,14 +61,14 @@ def encoded(job, outcome):
 
 
 def store(job, result):
-    """Keep a result, whole or not at all."""
+    """Write a result to its file; a failure leaves no partial file."""
     RUNS.mkdir(parents=True, exist_ok=True)
     with whole_file(run_file(job), len(result)) as partial:
         partial.write_bytes(result)
 
 
 def stored(job):
-    """The :class:`Run` of a job, or None if there is none that can be read."""
+    """The :class:`Run` of a job, or None if no readable one is stored."""
     file = run_file(job)
     try:
         run = _read(file, file.stat().st_mtime_ns)
@@ -79,12 +79,12 @@ def stored(job):
 
 @lru_cache(maxsize=64)
 def _read(file, _):
-    """A report asks for the same results again and again."""
+    """Read a result; cached, since a report asks for the same results many times."""
     return read(file)
 
 
 def read(file):
-    """The :class:`Run` in a file, or None if there is none that can be read.
+    """The :class:`Run` in a file, or None if the file cannot be read.
 
     Parameters
     ----------
@@ -121,7 +121,7 @@ def read(file):
 
 
 def measure(job, outcome, metrics=tuple(METRICS)):
-    """Measure an outcome, numbers that are stored excepted.
+    """Measure an outcome; stored numbers are read instead.
 
     Parameters
     ----------
@@ -133,7 +133,7 @@ def measure(job, outcome, metrics=tuple(METRICS)):
     Returns
     -------
     dict of str to dict of str to float
-        The numbers of each metric, as :func:`store_numbers` keeps them.
+        The numbers of each metric, for :func:`store_numbers`.
     """
     found = stored_numbers(job)
     return {
@@ -143,7 +143,7 @@ def measure(job, outcome, metrics=tuple(METRICS)):
 
 
 def stored_numbers(job):
-    """The numbers of a job that were measured before by the code of today.
+    """The stored numbers of a job that today's code would measure again.
 
     Returns
     -------
@@ -164,7 +164,7 @@ def stored_numbers(job):
 
 
 def store_numbers(job, numbers):
-    """Keep the numbers of a run beside those that were measured before."""
+    """Add the numbers of a run to its stored ones."""
     MEASURES.mkdir(parents=True, exist_ok=True)
     metrics = {
         name: {"code": _identity(job, name), "numbers": values}
@@ -174,14 +174,14 @@ def store_numbers(job, numbers):
 
 
 def numbers_of(job):
-    """All stored numbers of a job by their own names."""
+    """All stored numbers of a job, by name."""
     return {
         name: value for numbers in stored_numbers(job).values() for name, value in numbers.items()
     }
 
 
 def _identity(job, name):
-    """What the numbers of a metric depend on besides the run."""
+    """Identifies what the numbers of a metric depend on besides the run."""
     return f"{CODES.get(name)} {job.scene.digest_of_ids[:8]}"
 
 

@@ -1,1 +1,1 @@
-"""What stands between the kernels and the device: memory, launches, compilation."""
+"""Run kernels on the device: memory, launches, compilation."""

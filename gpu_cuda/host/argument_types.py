@@ -1,7 +1,7 @@
-"""Types of kernels' arguments, and the sizes for which a kernel is compiled where none is given.
+"""Types of the arguments of kernels, and the sizes to compile a kernel for without a device.
 
-A module with kernels says how they are compiled without a device: its function ``kernels(sizes)``
-gives the name, the kernel and the types of its arguments, of each (:mod:`gpu_cuda.host.ptx`).
+Every module with kernels has a function ``kernels(sizes)``, which yields the name, the function
+and the argument types of each kernel (:mod:`gpu_cuda.host.ptx` compiles them).
 """
 
 from typing import NamedTuple
@@ -19,7 +19,7 @@ COMMITMENT = NNF, DELTA, NNF, DELTA, MAP, INT
 
 
 class Sizes(NamedTuple):
-    """What kernels are compiled for: the thesis' sizes by default.
+    """The sizes that kernels are compiled for; by default those of the thesis.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""What a kernel needs of the machine: blocks, and formulae that it can call."""
+"""Compile, launch and time kernels."""
 
 from collections import defaultdict
 from contextlib import contextmanager
@@ -17,14 +17,14 @@ BLOCK = (8, 8) if SIMULATED else (32, 8)
 
 
 REGISTERS = 65536
-"""Of a multiprocessor, 32 bits each, for all threads of a block together."""
+"""Registers of a multiprocessor, 32 bits each, which all threads of a block share."""
 
 
 def compiled_for(block):
-    """Decorator of a kernel whose blocks have as many threads: each gets its share of registers.
+    """Decorator that compiles a kernel for blocks of this size: it limits registers a thread.
 
-    Without a limit a kernel of this package takes up to 166, and a block of 32 x 32 threads with
-    more than 64 each cannot be launched at all.
+    Without a limit a kernel of this package takes up to 166 registers. A block of 32 x 32 threads
+    can only be launched with at most 64 registers each.
     """
     share = REGISTERS // (block[0] * block[1])
     return cuda.jit(max_registers=share) if share < 255 else cuda.jit
@@ -33,8 +33,8 @@ def compiled_for(block):
 def formula(function):
     """Make a formula callable from a kernel.
 
-    On a GPU a kernel compiles the ``@njit`` functions that it calls. In the simulator it is
-    plain Python, and a formula must be given the arrays themselves, not their disguise.
+    On a GPU, Numba compiles the ``@njit`` functions that a kernel calls. In the simulator a kernel
+    is plain Python, and the simulator's array wrappers must be removed before the call.
     """
     if not SIMULATED:
         return function
@@ -46,10 +46,10 @@ def formula(function):
 
 
 def device_function(function):
-    """Compile a function that reads, writes or waits as only kernels can.
+    """Compile a function that uses shared memory, barriers or atomics, as only kernels can.
 
-    The simulator gives such a function its own ``cuda`` while it runs, and takes it away again
-    while other threads may still be inside. Here it always finds that of the kernel that runs.
+    The simulator replaces the function's ``cuda`` while one thread calls it, and restores it while
+    other threads may still be inside. Here the function always finds the ``cuda`` of the kernel.
     """
     if not SIMULATED:
         return cuda.jit(device=True)(function)
@@ -58,7 +58,7 @@ def device_function(function):
 
 
 class _RunningKernel:
-    """The simulator's ``cuda`` of the kernel that runs."""
+    """Stands for ``cuda`` in the simulator: that of the running kernel."""
 
     def __getattr__(self, name):
         from numba.cuda.simulator.kernel import _get_kernel_context
@@ -83,7 +83,7 @@ def launch(kernel, size, *arguments, block=BLOCK):
     size : (int, int)
         Rows and columns.
     *arguments
-        Of the kernel.
+        Arguments of the kernel.
     block : (int, int)
         Threads of a block along x and y.
     """
@@ -99,11 +99,12 @@ def launch_cooperative(kernel, most_threads, *arguments):
     Parameters
     ----------
     kernel : callable
-        Compiled with ``cuda.jit``; for as many threads as there are.
+        Compiled with ``cuda.jit``; it must work with any number of threads.
     most_threads : int
-        As many as have something to do; fewer run where the device does not hold them at once.
+        The number of threads that have something to do. Fewer are launched if the device cannot
+        hold them all at once.
     *arguments
-        Of the kernel.
+        Arguments of the kernel.
     """
     threads = BLOCK[0] * BLOCK[1]
     if SIMULATED:
@@ -117,7 +118,7 @@ def launch_cooperative(kernel, most_threads, *arguments):
 
 
 def _configured(kernel, grid, block):
-    """A kernel for a grid of blocks: coarse levels have few, and Numba's warning is no news."""
+    """A kernel for a grid of blocks, without Numba's warning that a coarse level has few blocks."""
     warned = config.CUDA_LOW_OCCUPANCY_WARNINGS
     config.CUDA_LOW_OCCUPANCY_WARNINGS = 0
     try:
@@ -137,13 +138,13 @@ _events = ContextVar("events around every launched kernel", default=None)
 
 @contextmanager
 def kernel_times():
-    """Measure what the device spends in every kernel that is launched inside.
+    """Measure the device's time in every kernel that is launched in the block.
 
     Yields
     ------
     dict of str to list of float
-        Seconds of every launch, by the kernel's function; filled when the context ends. In the
-        simulator they are 0.
+        Seconds of every launch, by the name of the kernel's function. It is filled when the block
+        ends; in the simulator all are 0.
     """
     seconds, events = defaultdict(list), []
     token = _events.set(events)
@@ -158,7 +159,7 @@ def kernel_times():
 
 @contextmanager
 def _timed(kernel):
-    """Between two events, where someone wants to know: nothing waits."""
+    """Record an event before and after a launch, if :func:`kernel_times` is active."""
     events = _events.get()
     if events is None:
         yield

@@ -1,4 +1,4 @@
-"""What of a GPU's software there is, and what is missing."""
+"""Find out whether kernels can run here, and what is missing."""
 
 import shutil
 import subprocess
@@ -9,10 +9,10 @@ from numba import cuda
 from gpu_cuda.host.device import SIMULATED
 
 DRIVER = 13, 0
-"""Of CUDA, whose libraries numba-cuda brings: an older driver does not load what they compile."""
+"""CUDA version of the libraries of numba-cuda: an older driver cannot load their code."""
 
 CAPABILITY = 7, 5
-"""The least that CUDA 13 compiles for."""
+"""The lowest compute capability that CUDA 13 supports."""
 
 INSTALL = "pip install 'stylit-ref[gpu]', with an NVIDIA driver of version 580 or newer"
 
@@ -27,20 +27,20 @@ def missing():
         driver = cuda.cudadrv.driver.driver.get_version()
         if driver < DRIVER:
             return (
-                f"the NVIDIA driver is of CUDA {_dotted(driver)} and {_dotted(DRIVER)} is needed "
-                f"({INSTALL})"
+                f"the NVIDIA driver supports CUDA {_dotted(driver)}, "
+                f"but {_dotted(DRIVER)} is needed ({INSTALL})"
             )
         cuda.current_context()
         device = cuda.get_current_device()
         cuda.cudadrv.nvvm.NVVM()
         cuda.cudadrv.libs.get_cudalib("cudadevrt", static=True)
-    except Exception as error:  # what a driver, or a library it needs, may raise is anything
+    except Exception as error:  # a driver, or a library it needs, can raise anything
         said = " ".join(str(error).split()).rstrip(" :.")
         return f"there is no GPU that CUDA can use: {said[:200]} ({INSTALL})"
     if device.compute_capability < CAPABILITY:
         return (
-            f"{device_name()} has compute capability {_dotted(device.compute_capability)} "
-            f"and {_dotted(CAPABILITY)} is needed"
+            f"{device_name()} has compute capability {_dotted(device.compute_capability)}, "
+            f"but {_dotted(CAPABILITY)} is needed"
         )
     return None
 
@@ -54,7 +54,7 @@ def device_name():
 
 
 def report():
-    """Lines of text: what is installed, and what to install for a GPU."""
+    """Lines of text: the installed packages, and what to install for a GPU."""
     packages = "numba", "numba-cuda", "cuda-bindings"
     lines = [f"{name:13} {_version(name) or 'not installed'}" for name in packages]
     reason = missing()
@@ -73,7 +73,7 @@ def report():
 
 
 def _driver_version():
-    """What the driver's own program says."""
+    """Version of the driver, from nvidia-smi."""
     program = shutil.which("nvidia-smi")
     if program is None:
         return "unknown version"

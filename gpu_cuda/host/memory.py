@@ -1,7 +1,7 @@
-"""The device's memory: images go there before a run, and the result comes back when it is done.
+"""The device's memory: images are copied there before a run, and the result back after it.
 
-Between, each iteration reads back for the history how many pixels moved, and the energy of every
-column.
+During the run only the history is read back: after each iteration the number of pixels that
+moved, and the energy of every column.
 """
 
 from contextlib import contextmanager
@@ -13,12 +13,12 @@ from gpu_cuda.host.device import BLOCK, launch
 from stylit_ref.errors import InputError
 
 OUT_OF_MEMORY = 2
-"""The driver's CUDA_ERROR_OUT_OF_MEMORY. The simulator has neither codes nor the class of error."""
+"""The driver's code CUDA_ERROR_OUT_OF_MEMORY; the simulator has neither codes nor that error."""
 
 
 @contextmanager
 def _allocation(shape, dtype):
-    """Say in one sentence that the device has no memory left."""
+    """Turn the driver's error into one sentence when the device has no memory left."""
     try:
         yield
     except Exception as error:
@@ -27,13 +27,13 @@ def _allocation(shape, dtype):
         free, total = cuda.current_context().get_memory_info()
         needed = int(np.prod(shape)) * np.dtype(dtype).itemsize
         raise InputError(
-            f"the GPU has {free >> 20} of {total >> 20} MiB free and needs {needed >> 20} more for "
-            "these images; take smaller ones, or --backend cpu"
+            f"the GPU has {free >> 20} of {total >> 20} MiB free, but these images need "
+            f"{needed >> 20} MiB more; use smaller images, or --backend cpu"
         ) from None
 
 
 def empty(shape, dtype):
-    """Array of the device whose contents are undefined."""
+    """An array on the device with undefined contents."""
     with _allocation(shape, dtype):
         return cuda.device_array(shape, dtype)
 
@@ -51,7 +51,7 @@ def download(array):
 
 
 def wait():
-    """As :func:`stylit_ref.passes.wait`: kernels run on when their launch has returned."""
+    """As :func:`stylit_ref.passes.wait`: a launch returns before its kernel has finished."""
     cuda.synchronize()
 
 
@@ -76,7 +76,7 @@ def fill_kernel(values, value):
 
 
 def fill(array, value):
-    """Write the same value everywhere in an array of the device."""
+    """Fill an array on the device with a value."""
     launch(
         fill_kernel,
         (1, array.size),

@@ -1,7 +1,7 @@
-"""Every kernel as PTX, for a device that need not be there.
+"""Compile every kernel to PTX without a device.
 
-What the simulator cannot know shows here: types that do not fit and, once ``ptxas`` has seen
-it, registers, shared memory and spills.
+This shows what the simulator cannot: type errors and, with ``ptxas``, registers, shared memory
+and spills.
 """
 
 import pkgutil
@@ -33,8 +33,8 @@ def kernels(block):
 
 
 def compile_to_ptx(kernel, arguments, capability):
-    """PTX of a kernel for a compute capability, whatever device there is."""
-    # Numba compiles the functions that a kernel calls for the current device: name one.
+    """Compile a kernel to PTX for a compute capability; no device is needed."""
+    # Numba compiles the functions that a kernel calls for the current device, so pretend to one.
     device = SimpleNamespace(compute_capability=capability)
     with mock.patch("numba.cuda.dispatcher.get_current_device", return_value=device):
         ptx, _ = cuda.compile(

@@ -1,7 +1,7 @@
-"""``numba.cuda`` is numba-cuda's; imported before anything that imports it.
+"""Make ``numba.cuda`` that of numba-cuda; import this before anything that imports it.
 
-numba-cuda installs a .pth file that sees to it, which goes unread with ``pip --target``. Without
-it Numba's own, older CUDA target would be taken.
+Otherwise Numba's own, older CUDA target would be used. numba-cuda installs a .pth file for this,
+but Python does not read it after ``pip --target``.
 """
 
 from contextlib import suppress

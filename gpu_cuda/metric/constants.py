@@ -1,4 +1,4 @@
-"""What the code of the metric is compiled for."""
+"""The sizes that the code of the metric is compiled for."""
 
 from typing import NamedTuple
 
@@ -16,9 +16,9 @@ class MetricConstants(NamedTuple):
     channels : int
         Packed channels of a pixel, a multiple of 16.
     weighted_channels : int
-        Without those at the end that weigh nothing.
+        Number of channels without those of weight 0 at the end.
     mean_channels : int
-        The first of them, which means may stand for; 0 without a guide map.
+        Number of channels at the start whose means a guide map may use; 0 without a guide map.
     """
 
     patch_width: int
@@ -28,13 +28,13 @@ class MetricConstants(NamedTuple):
 
     @classmethod
     def of(cls, textures, patch_width):
-        """Those of a level's textures."""
+        """The sizes of a level's textures."""
         weighted_channels = 2 * (1 + int(np.flatnonzero(textures.pair_weights)[-1]))
         return cls(patch_width, textures.source.shape[2], weighted_channels, textures.mean_channels)
 
     @classmethod
     def of_sizes(cls, sizes, with_map=False):
-        """Those of kernels that are compiled without any textures.
+        """The sizes of kernels that are compiled without any textures.
 
         Parameters
         ----------

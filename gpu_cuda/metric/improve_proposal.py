@@ -14,7 +14,7 @@ NO_LIMIT = np.iinfo(np.int64).max
 
 @lru_cache
 def make_assignment_delta(constants):
-    """Compile δ, with a guide map that of thesis 5.2.2.
+    """Compile δ; with a guide map, the δ of thesis 5.2.2.
 
     Parameters
     ----------
@@ -25,10 +25,10 @@ def make_assignment_delta(constants):
     callable
         ``(metric, patch, y, x, source_y, source_x, limit) -> int64``: equal to
         :func:`stylit_ref.formulae.patch_similarity.delta` or
-        :func:`stylit_ref.formulae.guide_map.delta_by_means`; a number of at least ``limit``
-        where those are. ``metric`` is Ā and its width, weights, G, M_B
-        and M_A of :func:`gpu_cuda.metric.textures.metric_arrays`, ``patch`` the target patch as
-        :mod:`gpu_cuda.metric.target_patches` has it.
+        :func:`stylit_ref.formulae.guide_map.delta_by_means` if that is below ``limit``, otherwise
+        any number of at least ``limit``. ``metric`` is Ā and its width, weights, G, M_B and M_A of
+        :func:`gpu_cuda.metric.textures.metric_arrays`; ``patch`` is the target patch as returned by
+        :mod:`gpu_cuda.metric.target_patches`.
     """
     patch_width, _, weighted_channels, mean_channels = constants
     pixel_words, radius = constants.pixel_words, constants.radius
@@ -67,8 +67,8 @@ def make_improve_proposal(constants):
     Returns
     -------
     callable
-        As :func:`stylit_ref.formulae.improve_assignment.make_improve_proposal` has it, its
-        ``metric`` the pair of ``metric`` and ``patch`` above.
+        As that of :func:`stylit_ref.formulae.improve_assignment.make_improve_proposal`, with the
+        pair of ``metric`` and ``patch`` above as its ``metric``.
     """
     assignment_delta = make_assignment_delta(constants)
 

@@ -1,9 +1,9 @@
-"""δ of a thread (SSD, thesis 3.2): four channels a read, and no more rows than decide.
+"""δ in one thread (SSD, thesis 3.2): it reads four channels at once and stops at a limit.
 
 A texture is read as a flat array of words, four packed channels each. Differences and their
-squares fit 32 bits; two neighbouring channels share a weight (that of the first: the second may be
-padding), and their part of δ is one multiplication to 64 bits. Indices are unsigned, since a
-negative one would count from the end, and Numba guards against it at every read.
+squares fit 32 bits. Two neighbouring channels share a weight (that of the first: the second may be
+padding), so their part of δ takes one multiplication to 64 bits. Indices are unsigned: with signed
+ones, Numba would check at every read for negative indices, which count from the end.
 """
 
 import numpy as np
@@ -27,7 +27,7 @@ def make_patch_ssd(patch_width, channels, first_channel):
     ----------
     patch_width : int
     channels : int
-        The last of them is ``channels - 1``; those after it weigh nothing.
+        Channels from this one on are left out; their weights are 0.
     first_channel : int
         Even, as neighbouring channels share a weight.
 
@@ -35,10 +35,9 @@ def make_patch_ssd(patch_width, channels, first_channel):
     -------
     callable
         ``(target, first_p, pixel_p, row_p, source, first_q, pixel_q, row_q, weights, limit)
-        -> int64``: the fixed-point sum, or once that is known to reach ``limit``, a part of it
-        that reaches it. ``target`` and ``source`` are (n,) uint32; a patch begins at word
-        ``first``, its next pixel is ``pixel`` words further, its next row ``row`` words.
-        ``weights`` are (C,) int64, none of more than 32 bits.
+        -> int64``: the fixed-point sum, or a part of it that reaches ``limit``. ``target`` and
+        ``source`` are (n,) uint32; a patch begins at word ``first``, its next pixel is ``pixel``
+        words further, its next row ``row`` words. ``weights`` are (C,) int64 of at most 32 bits.
     """
     word_pairs = WORD_CHANNELS // 2
     first_word, end_word = first_channel // WORD_CHANNELS, -(-channels // WORD_CHANNELS)

@@ -1,4 +1,4 @@
-"""Where a thread reads its target patch: in B̄ itself, or in shared memory (thesis 5.1)."""
+"""Read a thread's target patch from B̄ itself, or from shared memory (thesis 5.1)."""
 
 from numba import cuda, njit, uint32
 
@@ -6,11 +6,11 @@ from gpu_cuda.host.device import device_function, formula
 from stylit_ref.errors import InputError
 
 SHARED_BYTES = 48 << 10
-"""Of a block, as every device has them."""
+"""Bytes of shared memory that every device offers a block."""
 
 
 def make_target_patch(constants, block, shared):
-    """Compile the way to a thread's target patch.
+    """Compile the function that finds a thread's target patch.
 
     Parameters
     ----------
@@ -25,8 +25,8 @@ def make_target_patch(constants, block, shared):
     callable
         ``(target, width, y, x) -> (words, first, pixel, row)``: an array of words, where in it
         the patch begins, and how many words further the next pixel and the next row are.
-        ``target`` is B̄ in words, ``width`` that of the target. All threads of a block must come
-        here.
+        ``target`` is B̄ in words, ``width`` that of the target. All threads of a block must call
+        it.
 
     Raises
     ------
@@ -50,7 +50,8 @@ def make_target_patch(constants, block, shared):
     if 4 * size > SHARED_BYTES:
         raise InputError(
             f"target patches of a block of {block[0]}x{block[1]} threads take {4 * size} bytes "
-            f"of shared memory at patch width {2 * radius + 1}; {SHARED_BYTES} are there"
+            f"of shared memory at patch width {2 * radius + 1}, but only {SHARED_BYTES} exist; "
+            "use a smaller patch or another backend"
         )
 
     @formula
@@ -58,8 +59,8 @@ def make_target_patch(constants, block, shared):
     def fill_tile(target, width, height, tile, first_y, first_x, thread_y, thread_x):
         """Copy one thread's share of the tile (lines 8 to 16 of the listing in 5.1.2).
 
-        Each thread copies its own pixel, and those at the top and left also the ones a block
-        further down and right, which make the border.
+        Each thread copies its own pixel. Threads at the top and left also copy the pixels one block
+        further down and right, which form the border.
         """
         for tile_y in range(thread_y, rows, rows - border):
             y = min(first_y + tile_y, height - 1)

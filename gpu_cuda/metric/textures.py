@@ -1,4 +1,4 @@
-"""Textures as the kernels of the metric take them."""
+"""Convert textures to the form that the kernels of the metric take."""
 
 import numpy as np
 
@@ -6,8 +6,8 @@ import numpy as np
 def metric_arrays(textures):
     """Ā, B̄, weights, G, M_B and M_A, as kernels take them.
 
-    The textures are flat arrays of words. Without a guide map nothing reads the last three: Ā
-    stands in for them.
+    The textures are flat arrays of words. Without a guide map the last three are never read; Ā then
+    takes their places.
     """
     means = textures.guide_map, textures.target_sums, textures.source_sums
     if textures.guide_map is None:

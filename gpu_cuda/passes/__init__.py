@@ -1,1 +1,1 @@
-"""The passes of :mod:`stylit_ref.passes`, file for file; :mod:`gpu_cuda` offers them."""
+"""The passes of :mod:`stylit_ref.passes` as kernels, in files of the same names."""

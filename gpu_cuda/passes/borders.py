@@ -1,4 +1,4 @@
-"""Pixels around an image, and around what of it was written anew: each takes the nearest inside."""
+"""Fill the border around an image: each border pixel takes the value of the nearest inside."""
 
 import numpy as np
 from numba import cuda
@@ -12,7 +12,7 @@ from gpu_cuda.host.memory import empty
 def repeat_edge_kernel(image, first, padded, radius, first_channel, channels):
     """Copy channels of an image whose first pixel is ``image[first, first]`` to a padded one.
 
-    Both may be the same: then its border follows what is inside, which is written onto itself.
+    Both may be the same array: then its border is updated and its inside stays as it is.
     """
     x, y = cuda.grid(2)
     if y >= padded.shape[0] or x >= padded.shape[1]:
@@ -37,7 +37,7 @@ def repeat_edge(image, radius):
 
 
 def repeat_own_edge(padded, radius, first_channel, channels):
-    """Have the border of a padded image follow some channels of what it has inside."""
+    """Update the border of a padded image in some channels."""
     launch(
         repeat_edge_kernel, padded.shape[:2],
         padded, radius, padded, radius, first_channel, channels,

@@ -1,9 +1,9 @@
 """Commit: proposals become assignments while Ω follows (the canonical schedule).
 
-The 16 classes are 33 small steps, each of which needs all of the one before. As kernels of their
-own they cost more in launches than in work, so one cooperative kernel takes all of them: its
-threads stay on the device and wait for each other between the steps (a grid-wide barrier).
-W follows by atomic additions of integers, whose order does not matter.
+The 16 classes take 33 small steps, each of which needs the whole result of the one before. As
+separate kernels they would take longer to launch than to run. So one cooperative kernel does all
+of them: its threads stay on the device and wait for each other between the steps (a grid-wide
+barrier). W is updated by atomic additions of integers, whose order does not matter.
 """
 
 from functools import lru_cache
@@ -21,13 +21,13 @@ CLASSES = CLASS_STRIDE**2
 
 @device_function
 def class_size(size, first):
-    """Rows, or columns, of the class that begins at one of them."""
+    """Number of rows (or columns) of the class that begins at row (or column) ``first``."""
     return (size - first + CLASS_STRIDE - 1) // CLASS_STRIDE
 
 
 @device_function
 def follow(nnf, proposed_nnf, omega_sums, patch_width, y, x):
-    """The other half of a move: W follows it."""
+    """Update W for a pixel that moved."""
     new_y, new_x = nnf[y, x, 0], nnf[y, x, 1]
     old_y, old_x = proposed_nnf[y, x, 0], proposed_nnf[y, x, 1]
     if old_y != new_y or old_x != new_x:

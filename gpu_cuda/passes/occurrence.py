@@ -1,7 +1,7 @@
 """The occurrence map Ω of a whole NNF, and its sums over patches (thesis 2.1, 3.2).
 
-The thesis makes Ω on the host, since whole patches counted by atomics collide. Counting centres
-collides little, and two box sums do the rest on the device.
+The thesis makes Ω on the host, since atomic additions over whole patches collide. Here only
+patch centres are counted, which collide little; two box sums do the rest on the device.
 """
 
 from functools import lru_cache

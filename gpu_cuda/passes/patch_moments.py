@@ -1,7 +1,7 @@
 """Moments of every patch: none here.
 
-On the CPU they bound δ from below and spare most candidates. The kernels evaluate δ itself, as
-those of the thesis, with the same decisions.
+On the CPU they give a lower bound of δ that rejects most candidates. The kernels evaluate δ itself,
+as those of the thesis do, and make the same decisions.
 """
 
 

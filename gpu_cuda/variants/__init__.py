@@ -1,1 +1,1 @@
-"""Other ways to run the same passes, kept because they were measured."""
+"""Other ways to run the same passes, kept for comparison of times."""

@@ -1,6 +1,6 @@
-"""The passes with a launch for every step of a commit: what its cooperative kernel saves.
+"""The passes with a launch for every step of a commit: measures what one cooperative kernel saves.
 
-For measurements; the results are the same.
+The results are the same.
 """
 
 from functools import lru_cache
@@ -34,7 +34,7 @@ def decide_kernel(
 
 @lru_cache
 def make_follow_kernel(patch_width):
-    """Compile the step in which W follows."""
+    """Compile the step that updates W."""
 
     @cuda.jit
     def follow_kernel(nnf, proposed_nnf, omega_sums, first_y, first_x):
@@ -73,4 +73,4 @@ def commit(
 
 
 passes = replaced(gpu_cuda, commit=commit)
-"""All passes, the commit with a launch for each of its steps."""
+"""All passes; the commit launches a kernel for each of its steps."""

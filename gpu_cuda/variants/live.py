@@ -1,13 +1,13 @@
-"""Ω as the thesis updates it: while the kernels run, with atomics (3.2, 3.3).
+"""Ω updated as in the thesis: by atomics, while the kernels run (3.2, 3.3).
 
-Not reproducible, since it depends on which thread comes first; judged by what must hold
-(ΣΩ, Ω equals a recount) and by its energy. Two forms:
+The result depends on which thread comes first, so it is not reproducible. Tests check its
+invariants (ΣΩ, Ω equals a recount) and its energy. Two forms:
 
 :func:`live`
-    ``ImproveAssignment`` as in 3.2: ρ sums w² elements of Ω, and every change of an assignment is
-    2 w² atomics.
+    ``ImproveAssignment`` as in 3.2: ρ sums w² elements of Ω, and every change of an assignment
+    takes 2 w² atomics.
 :func:`live_sums`
-    ρ is one read of W, Ω summed over each patch, and a change is 2 (2w - 1)² atomics.
+    ρ reads one element of W, Ω summed over each patch; a change takes 2 (2w - 1)² atomics.
 """
 
 from functools import lru_cache
@@ -147,7 +147,7 @@ def kernels(sizes):
 
 
 def propagate(level, make_kernels, occurrences, distance):
-    """Kernel_Propagation of 3.3: NNF' from NNF, and they change places.
+    """Kernel_Propagation of 3.3: computes NNF' from NNF, then swaps the two.
 
     Parameters
     ----------
@@ -155,7 +155,7 @@ def propagate(level, make_kernels, occurrences, distance):
     make_kernels : callable
         :func:`omega_kernels` or :func:`omega_sums_kernels`.
     occurrences : (H_A, W_A) int32
-        The level's Ω or W; follows every change.
+        The level's Ω or W; it is updated with every change.
     distance : int
     """
     kernel, _ = make_kernels(MetricConstants.of(level.textures, level.patch_width))
@@ -167,7 +167,7 @@ def propagate(level, make_kernels, occurrences, distance):
 
 
 def search_at_random(level, make_kernels, occurrences, stream):
-    """Kernel_RandomSearch of 3.3 in the NNF; other parameters as for :func:`propagate`.
+    """Kernel_RandomSearch of 3.3, in place; other parameters as for :func:`propagate`.
 
     Parameters
     ----------
@@ -187,7 +187,7 @@ def live(level, seed, level_number, vote, iteration):
 
 
 def live_sums(level, seed, level_number, vote, iteration):
-    """The same with W, Ω summed over each patch, in the place of Ω."""
+    """The same with W, Ω summed over each patch, in place of Ω."""
     _iterate(level, omega_sums_kernels, level.omega_sums, seed, level_number, vote, iteration)
 
 

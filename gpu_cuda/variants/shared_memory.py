@@ -14,7 +14,7 @@ from stylit_ref.metric.proposal import Proposal
 
 
 def in_blocks(block, shared):
-    """The passes with a search in blocks of a certain size.
+    """The passes, with a search that runs in blocks of this size.
 
     Parameters
     ----------
@@ -51,4 +51,4 @@ def in_blocks(block, shared):
 
 
 passes = in_blocks(BLOCK, shared=True)
-"""All passes, the search with shared memory."""
+"""All passes; the search uses shared memory."""

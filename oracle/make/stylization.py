@@ -175,7 +175,7 @@ def _exact_variance(variances):
 
 
 def _rounded_variance(variances):
-    """A variance that rounds up to the double ε: it is below ε, though w⁴ times both round alike."""
+    """A variance that rounds up to the double ε: it is below ε, though w⁴-folds round alike."""
     near = np.sort(variances.ravel())[variances.size // 3 :]
     return next(v for v in near if Fraction(v) > Fraction(round(v * 625), 625) and v * 625 % 1 == 0)
 

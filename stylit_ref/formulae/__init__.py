@@ -1,5 +1,5 @@
-"""One pixel or one patch each: the mathematics of the thesis as ``@njit`` functions.
+"""The mathematics of the thesis as ``@njit`` functions of one pixel or one patch.
 
-The smallest are inlined before anything is compiled: a function of its own costs the compiler a
-tenth of a second in each process that compiles.
+The smallest are inlined before compilation: each separate function costs every process that
+compiles a tenth of a second.
 """

@@ -1,4 +1,4 @@
-"""Where PatchMatch looks: candidates of propagation, of random search, and of the level before."""
+"""Candidates of PatchMatch: from propagation, random search and the coarser level."""
 
 import numpy as np
 from numba import njit
@@ -17,19 +17,19 @@ def clamp(value, low, high):
 
 @njit
 def neighbour_offsets(distance):
-    """Where the neighbours are that propagate: right, below, left, above (thesis 3.3).
+    """Offsets of the neighbours in propagation: right, below, left, above (thesis 3.3).
 
-    The order counts: of equal candidates the first stays.
+    The order matters: of equally good candidates the first is kept.
     """
     return (0, distance), (distance, 0), (0, -distance), (-distance, 0)
 
 
 @njit
 def propagation_candidate(neighbour_y, neighbour_x, dy, dx, radius, source_height, source_width):
-    """Assignment of the neighbour at offset ``(dy, dx)``, shifted back by the offset.
+    """The assignment of the neighbour at offset ``(dy, dx)``, shifted back by the offset.
 
-    ``NNF(P ⊙ (dy, dx)) ⊙ (-dy, -dx)`` clamped to the source (thesis 2.4 and 3.3):
-    the candidate that continues the neighbour's coherent area.
+    This is ``NNF(P ⊙ (dy, dx)) ⊙ (-dy, -dx)``, clamped to the source (thesis 2.4 and 3.3). It
+    continues the neighbour's coherent area.
     """
     y = clamp(neighbour_y - dy, radius, source_height - 1 - radius)
     x = clamp(neighbour_x - dx, radius, source_width - 1 - radius)
@@ -38,10 +38,10 @@ def propagation_candidate(neighbour_y, neighbour_x, dy, dx, radius, source_heigh
 
 @njit
 def upsampled_assignment(coarse_nnf, y, x, radius, source_height, source_width):
-    """Assignment that a target pixel takes from the next coarser level (UpsampleNNF, thesis 2.3).
+    """The assignment that a target pixel takes from the coarser level (UpsampleNNF, thesis 2.3).
 
-    Twice its parent's coordinates plus its own offset from twice the parent, clamped to the
-    centres the source has.
+    It is twice the parent's assignment, plus the pixel's offset from twice the parent's position,
+    clamped to the source's patch centres.
     """
     parent_y, parent_x = min(y // 2, coarse_nnf.shape[0] - 1), min(x // 2, coarse_nnf.shape[1] - 1)
     fine_y = 2 * coarse_nnf[parent_y, parent_x, 0] + (y - 2 * parent_y)
@@ -56,10 +56,10 @@ def upsampled_assignment(coarse_nnf, y, x, radius, source_height, source_width):
 def random_candidate(
     word_y, word_x, centre_y, centre_x, search_radius, radius, source_height, source_width
 ):
-    """Uniform patch centre in the square of ``search_radius`` around an assignment.
+    """A uniformly random patch centre in the square of ``search_radius`` around an assignment.
 
-    The square is cut to the centres the source has (thesis 2.4 and 3.3).
-    ``word_y`` and ``word_x`` are random 32-bit words.
+    The square is clipped to the source's patch centres (thesis 2.4 and 3.3). ``word_y`` and
+    ``word_x`` are random 32-bit words.
     """
     low_y = max(centre_y - search_radius, radius)
     low_x = max(centre_x - search_radius, radius)

@@ -1,12 +1,12 @@
-r"""Guide maps: means in place of a patch's guides where these hardly vary (thesis 5.2).
+r"""Guide maps: the guides of patches that hardly vary are compared by their means (thesis 5.2).
 
 .. math:: \mathrm{mean}_i(P) = \frac{1}{w^2} \sum_{x,y} f_i^P(x, y) \qquad
           \mathrm{var}(P) = \sum_i \frac{1}{w^2} \sum_{x,y} (\mathrm{mean}_i(P) - f_i^P(x,y))^2
 
-A target patch whose guides have var(P) < ε is white on the map G. There the guides' part
-of δ is :math:`w^2 \sum_i \frac{\mu}{n_g} (\mathrm{mean}_i(P) - \mathrm{mean}_i(Q))^2`, read
-from two precomputed means; the style's part stays. Sums take the place of means, so that all of
-it is exact:
+A target patch whose guides have var(P) < ε is white on the map G. For a white patch the guides'
+part of δ is :math:`w^2 \sum_i \frac{\mu}{n_g} (\mathrm{mean}_i(P) - \mathrm{mean}_i(Q))^2`, from
+two precomputed means; the style's part stays as it is. The code uses sums in place of means, so
+that all numbers are exact:
 
 .. math:: w^4 \mathrm{var}(P) = \sum_i \Bigl( w^2 \sum f^2 - \bigl(\sum f\bigr)^2 \Bigr) \qquad
           w^2 (\mathrm{mean}_P - \mathrm{mean}_Q)^2
@@ -24,7 +24,7 @@ from stylit_ref.formulae.patch_similarity import squared_differences
 
 @njit
 def patch_sum(texture, first_y, first_x, channel, patch_width):
-    """w² times the mean of a channel over the patch whose first pixel is given (Evaluate_Means).
+    """Sum of a channel over a patch, w² times its mean; the first pixel is given (Evaluate_Means).
 
     Parameters
     ----------
@@ -46,7 +46,7 @@ def patch_sum(texture, first_y, first_x, channel, patch_width):
 def scaled_variance(texture, sums, weights, first_y, first_x, patch_width):
     """w⁴ var of the patch whose first pixel is given (Evaluate_Map).
 
-    A guide of weight 0, which the metric ignores, does not count here either.
+    A guide of weight 0 does not count, as in the metric.
 
     Parameters
     ----------
@@ -73,7 +73,7 @@ def scaled_variance(texture, sums, weights, first_y, first_x, patch_width):
 
 
 def variance_limit(epsilon, patch_width):
-    """The least w⁴ var that is black: var < ε exactly where w⁴ var is below this integer."""
+    """The integer limit of w⁴ var: var < ε if and only if w⁴ var is below it."""
     return min(ceil(Fraction(float(epsilon)) * int(patch_width) ** 4), np.iinfo(np.int64).max)
 
 
@@ -86,7 +86,7 @@ def sums_dtype(patch_width):
 def guides_by_means(
     weights, target_sums, source_sums, channels, patch_width, y, x, source_y, source_x
 ):
-    """The guides' part of δ where means stand for them (SSD, thesis 5.2.2).
+    """The guides' part of δ by their means (SSD, thesis 5.2.2).
 
     Parameters
     ----------
@@ -94,7 +94,7 @@ def guides_by_means(
     target_sums, source_sums : (H_B, W_B, n) and (H_A, W_A, n) uint16 or uint32
         :func:`patch_sum` of every patch.
     channels : int
-        n, for the compiler to know.
+        n, as a constant for the compiler.
     patch_width, y, x, source_y, source_x : int
 
     Returns
@@ -106,8 +106,8 @@ def guides_by_means(
     for c in range(channels):
         sum_p = np.int64(target_sums[y, x, c])
         difference = sum_p - np.int64(source_sums[source_y, source_x, c])
-        # Of two neighbours the second has the first one's weight or is padding, and a weight has 32
-        # bits: a compiler that knows takes a quarter fewer registers on a GPU.
+        # The second of two neighbours has the weight of the first or is padding, and a weight has
+        # 32 bits. With this knowledge a GPU's compiler takes a quarter fewer registers.
         weight = np.int64(np.uint32(weights[c - c % 2]))
         total += weight * difference * difference
     return total // (patch_width * patch_width)
@@ -117,7 +117,7 @@ def guides_by_means(
 def delta_by_means(
     source, target, weights, target_sums, source_sums, patch_width, y, x, source_y, source_x
 ):
-    """δ of a patch that is white on the map, in its plainest form (SSD, thesis 5.2.2).
+    """δ of a patch that is white on the map, in its simplest form (SSD, thesis 5.2.2).
 
     Parameters
     ----------

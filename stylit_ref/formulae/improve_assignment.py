@@ -3,12 +3,13 @@
 The choice comes in three forms, each for the CPU and for a GPU:
 
 ImproveAssignment of 3.2
-    The closer of two assignments, and Ω follows at once: :func:`improve_assignment` in its
-    plainest form, every term in full.
+    Takes the better of two assignments and updates Ω at once: :func:`improve_assignment` is its
+    simplest form, which evaluates every term in full.
 a proposal
-    The same while Ω stays as it is: :func:`make_improve_proposal`.
+    Takes the better of two assignments and leaves Ω as it is: :func:`make_improve_proposal`.
 a commit
-    A proposal is compared once more, with W as it stands: :func:`take_proposal`.
+    Compares a proposal once more, with the current W, and takes it if it is still better:
+    :func:`take_proposal`.
 
 An assignment changes only where φ becomes strictly lower.
 """
@@ -37,20 +38,20 @@ def make_improve_assignment(compiled, phi, update):
     Parameters
     ----------
     compiled : callable
-        Decorator: :func:`numba.njit`, or what compiles a function of a GPU.
+        Decorator: :func:`numba.njit`, or one that compiles a function for a GPU.
     phi : callable
         ``(metric, occurrences, occurrence_weight, patch_width, y, x, source_y, source_x)
         -> int64``.
     update : callable
-        ``(occurrences, patch_width, source_y, source_x, change)``: has the map follow.
+        ``(occurrences, patch_width, source_y, source_x, change)``: updates the map.
 
     Returns
     -------
     callable
         ``(metric, occurrences, occurrence_weight, patch_width, y, x, candidate_y, candidate_x,
-        current_y, current_x) -> (y, x)``: the candidate where its φ is strictly lower, otherwise
-        the current assignment. ``metric`` is whatever ``phi`` needs, ``occurrences`` is Ω, or a
-        map made of it.
+        current_y, current_x) -> (y, x)``: the candidate if its φ is strictly lower, otherwise
+        the current assignment. ``metric`` is passed on to ``phi``; ``occurrences`` is Ω, or a map
+        made from it.
     """
 
     @compiled
@@ -93,8 +94,8 @@ def make_improve_proposal(compiled, delta_below):
     compiled : callable
         As for :func:`make_improve_assignment`.
     delta_below : callable
-        ``(metric, y, x, source_y, source_x, limit) -> int64``: δ, or any number that reaches
-        ``limit`` where δ does.
+        ``(metric, y, x, source_y, source_x, limit) -> int64``: δ if it is below ``limit``,
+        otherwise any number of at least ``limit``.
 
     Returns
     -------
@@ -123,10 +124,10 @@ def make_improve_proposal(compiled, delta_below):
 
 @njit(inline="always")
 def take_proposal(nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, y, x):
-    """Assign what was proposed for a pixel if that lowers φ, with W as it stands.
+    """Assign the proposal of a pixel if that lowers φ with the current W.
 
-    The old assignment takes the place of the proposal either way: where NNF and NNF' differ
-    afterwards, the pixel moved.
+    The old assignment replaces the proposal in either case: if NNF and NNF' differ afterwards, the
+    pixel has moved.
 
     Parameters
     ----------

@@ -1,6 +1,6 @@
 r"""Occurrence map Ω and patch penalization ρ (thesis 2.1, procedures of 3.2).
 
-Fixed point keeps the penalization exact: with
+Fixed point keeps the penalization exact. With
 :math:`W(Q) = \sum_{pixels\ of\ Q} \Omega = w^2 \omega(Q)`, the term of the metric is
 
 .. math:: \lambda \rho(Q) = \lambda \frac{\omega(Q)}{\omega_{best}}
@@ -14,7 +14,7 @@ from numba import njit
 
 
 def omega_best(patch_width, source_pixels, target_patches):
-    """Ω of every source pixel if all were used alike, ``w² |B| / |A|`` (thesis 2.1).
+    """Ω of every source pixel if all were used equally often, ``w² |B| / |A|`` (thesis 2.1).
 
     ``target_patches`` is the number of assigned target patches: all pixels of the
     target, or those that a mask leaves to be synthesized.
@@ -44,7 +44,7 @@ def penalization(omega_sums, occurrence_weight, source_y, source_x):
 
 @njit
 def penalization_by_omega(omega, occurrence_weight, patch_width, source_y, source_x):
-    """The same from Ω itself, which its patch is summed over."""
+    """λρ(Q) from Ω itself, summed over the patch."""
     return occurrence_weight * np.int64(omega_sum(omega, patch_width, source_y, source_x))
 
 
@@ -54,7 +54,7 @@ def make_update_patch_omega(compiled, add):
     Parameters
     ----------
     compiled : callable
-        Decorator: :func:`numba.njit`, or what compiles a function of a GPU.
+        Decorator: :func:`numba.njit`, or one that compiles a function for a GPU.
     add : callable
         ``(occurrences, y, x, change)``: adds to an element of a map.
 
@@ -75,16 +75,16 @@ def make_update_patch_omega(compiled, add):
 
 
 def make_update_omega_sums(compiled, add):
-    """Compile what follows for W; parameters as above.
+    """Compile the update of W; parameters as above.
 
-    The patch at offset ``(dy, dx)`` shares ``(w - |dy|) (w - |dx|)`` pixels with the one that is
-    assigned. One such update of W stands for UpdatePatchOmega and all the sums that would read it.
+    The patch at offset ``(dy, dx)`` shares ``(w - |dy|) (w - |dx|)`` pixels with the assigned one.
+    One update of W replaces UpdatePatchOmega and all sums over Ω that would follow it.
 
     Returns
     -------
     callable
-        ``(omega_sums, patch_width, source_y, source_x, change)``: adds to W of every patch what
-        ``change`` assignments of one patch add to Ω.
+        ``(omega_sums, patch_width, source_y, source_x, change)``: adds to W of every patch the
+        effect of ``change`` assignments of one patch.
     """
 
     @compiled
@@ -105,7 +105,7 @@ def _add(occurrences, y, x, change):
 
 
 update_patch_omega = make_update_patch_omega(njit, _add)
-"""UpdatePatchOmega where one thread at a time changes Ω."""
+"""UpdatePatchOmega for a single thread."""
 
 update_omega_sums = make_update_omega_sums(njit, _add)
-"""The same for W."""
+"""The update of W for a single thread."""

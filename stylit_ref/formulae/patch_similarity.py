@@ -19,7 +19,7 @@ def delta(source, target, weights, patch_width, y, x, source_y, source_x):
         Packed target texture :math:`\bar B`, its edge pixels repeated ``radius``
         times, so that every target pixel is the centre of a whole patch.
     weights : (C,) int64
-        μ/n_g and 1/n_s in fixed point, 0 for channels that only pad.
+        μ/n_g and 1/n_s in fixed point, 0 for padding channels.
     y, x : int
         Centre of the target patch P, in unpadded coordinates.
     source_y, source_x : int
@@ -28,7 +28,7 @@ def delta(source, target, weights, patch_width, y, x, source_y, source_x):
     Returns
     -------
     int64
-        δ in fixed point: exact, whatever the order of the terms.
+        δ in fixed point, exact in any order of the terms.
     """
     return squared_differences(source, target, weights, patch_width, y, x, source_y, source_x, 0)
 
@@ -37,7 +37,7 @@ def delta(source, target, weights, patch_width, y, x, source_y, source_x):
 def squared_differences(
     source, target, weights, patch_width, y, x, source_y, source_x, first_channel
 ):
-    """The part of δ that the channels from one on make; other parameters as above."""
+    """The part of δ from ``first_channel`` on; other parameters as above."""
     radius = patch_width // 2
     total = np.int64(0)
     for dy in range(patch_width):

@@ -1,4 +1,4 @@
-"""Means of 8-bit values, rounded half up: of votes, and of the pixels that a coarser one covers."""
+"""Means of 8-bit values, rounded half up: of votes, and of the four pixels that become one."""
 
 import numpy as np
 from numba import njit
@@ -6,7 +6,7 @@ from numba import njit
 
 @njit
 def rounded_mean(total, count):
-    """``total / count`` rounded half up; 0 of nothing."""
+    """``total / count`` rounded half up; 0 if ``count`` is 0."""
     return (2 * total + count) // (2 * count) if count else 0
 
 
@@ -14,8 +14,8 @@ def rounded_mean(total, count):
 def block_mean(image, y, x, channel):
     """A pixel of the next coarser level: the mean of 2 x 2, rounded half up (thesis 3.4).
 
-    The thesis samples with bilinear interpolation and gives no source code; at a factor of two
-    that is this mean.
+    The thesis gives no source code; it samples with bilinear interpolation, which at a factor of
+    two is this mean.
     """
     total = (
         np.int32(image[2 * y, 2 * x, channel])

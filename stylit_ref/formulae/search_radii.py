@@ -1,7 +1,7 @@
-"""Random search: which radii it takes, and which random numbers belong to each (thesis 3.3).
+"""The radii of random search, and the random numbers of each (thesis 3.3).
 
-The squares double from radius 1 up to half the larger side of the target. A draw gives four random
-words; a candidate takes two, so two radii share a draw.
+The radius doubles from 1 up to half the larger side of the target. A draw gives four random words
+and a candidate takes two, so two radii share a draw.
 """
 
 from numba import njit
@@ -14,13 +14,13 @@ def search_radius(k):
 
 
 def number_of_radii(side):
-    """How many radii do not exceed half of ``side``."""
+    """Number of radii up to half of ``side``."""
     return (int(side) // 2).bit_length()
 
 
 @njit(inline="always")
 def search_draw(k):
-    """Number of the draw that candidate ``k`` takes its random words from."""
+    """Number of the draw that gives candidate ``k`` its random words."""
     return k // 2
 
 
@@ -28,7 +28,7 @@ def search_draw(k):
 def search_words(draw, k):
     """Words for y and x of candidate ``k``: the first two of its draw, or the last two.
 
-    ``draw`` is what :func:`stylit_ref.randomness.random_stream.random_words` gives for the draw
-    :func:`search_draw`.
+    ``draw`` are the words of :func:`stylit_ref.randomness.random_stream.random_words` for the draw
+    of number :func:`search_draw`.
     """
     return (draw[0], draw[1]) if k % 2 == 0 else (draw[2], draw[3])

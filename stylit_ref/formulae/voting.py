@@ -1,4 +1,4 @@
-"""Which pixel votes for which, and which votes count (thesis 2.3; Hauptfleisch 2020, 2.4.1)."""
+"""Votes of patches for pixels, and which of them count (thesis 2.3; Hauptfleisch 2020, 2.4.1)."""
 
 from numba import njit
 
@@ -20,20 +20,20 @@ def distance_from_mean(value, total, votes):
 
 @njit
 def votes_kept(votes, outliers):
-    """How many votes count when the ``outliers`` farthest do not: at least one if there is one."""
+    """Number of votes that count without the ``outliers`` farthest ones; one always counts."""
     return max(votes - outliers, min(votes, 1))
 
 
 @njit
 def discard_farthest(distances, votes, kept):
-    """Set to -1 the distances of the farthest of ``votes``, until ``kept`` are left.
+    """Set the distances of the farthest votes to -1, until ``kept`` are left.
 
-    Of equally far ones the first go first.
+    Of equally far votes the first are discarded first.
 
     Parameters
     ----------
     distances : (n,) int64
-        Those of the votes come first; none is negative.
+        The first ``votes`` of them are used; none is negative.
     votes, kept : int
     """
     for _ in range(votes - kept):

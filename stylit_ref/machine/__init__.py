@@ -1,1 +1,1 @@
-"""What a processor needs and a formula does not say: compiled kernels, vectors, signals, clocks."""
+"""Everything about the machine: compiled kernels, vector code, signals, timing."""

@@ -1,9 +1,9 @@
-"""What a piece of code depends on, as a digest: its files and all that they import.
+"""A digest of everything that a piece of code depends on: its files and all that they import.
 
-Comments, docstrings and layout do not count, nor do Python's own modules and other packages that
-are installed, Numba among them: it keeps the kernels of its versions apart itself. A file counts
-whole: whoever calls one function of it depends on all of it. Only the ``__init__`` of a package,
-which often imports everything, counts for what is taken from it alone.
+Comments, docstrings and layout do not count. Neither do Python's own modules and installed
+packages; Numba itself keeps the kernels of its versions apart. A file counts as a whole: code that
+calls one of its functions depends on all of it. The ``__init__`` of a package is an exception,
+since it often imports everything: only the names that are taken from it count.
 """
 
 import ast
@@ -20,10 +20,10 @@ INSTALLED = tuple(
     Path(sysconfig.get_path(name)).resolve()
     for name in ("stdlib", "platstdlib", "purelib", "platlib")
 )
-"""Folders of what is installed, whose versions others keep."""
+"""Folders of installed packages, which do not count."""
 
 OWN = "stylit_ref", "gpu_cuda", "oracle", "data_gen", "eval"
-"""Packages of this project: they count wherever they are installed."""
+"""Packages of this project, which count even if they are installed."""
 
 
 def code_digest(*roots: Path | str | ModuleType, without: tuple[str, ...] = ()) -> str:
@@ -34,13 +34,12 @@ def code_digest(*roots: Path | str | ModuleType, without: tuple[str, ...] = ()) 
     *roots : Path, str or module
         Python files, or modules that come from one.
     without : tuple of str
-        Packages that do not count, though they are imported: code that is there to be called
-        on another occasion.
+        Packages that do not count although they are imported, since this use does not run them.
 
     Returns
     -------
     str
-        64 hexadecimal digits, the same whatever the folder the code lies in.
+        64 hexadecimal digits; they do not depend on the folder of the code.
     """
     digest = hashlib.sha256()
     for name, file in sorted((name, file) for file, name in _all_reached(roots, without).items()):
@@ -63,7 +62,7 @@ def _all_reached(roots, without):
 
 @cache
 def _reached(root, without):
-    """The file and all that it imports, each with the name of its module."""
+    """The file and all files that it imports, each with the name of its module."""
     reached, waiting = {}, [(root, _module_name(root))]
     own = (*OWN, _module_name(root).partition(".")[0])
     while waiting:
@@ -80,7 +79,7 @@ def _reached(root, without):
 
 
 def _module_name(file):
-    """Dotted name of a file's module: as it was imported, or by the packages it lies in."""
+    """Dotted name of a file's module: as it was imported, or from the packages around it."""
     for name, module in list(sys.modules.items()):
         if name != "__main__" and getattr(module, "__file__", None) == str(file):
             return name
@@ -93,7 +92,7 @@ def _module_name(file):
 
 
 class _Source(NamedTuple):
-    """What counts of a file: its syntax tree without docstrings, and where it imports what."""
+    """The parts of a file that count: its syntax tree without docstrings, and its imports."""
 
     digest: str
     imports: list[tuple[str, str | None]]
@@ -121,7 +120,7 @@ def _source(file, name):
             ):
                 node.body = rest
     for chain in filter(None, map(_chain, nodes)):
-        if chain[0] in modules:  # import a as b: b.c.d is what it takes from a.c
+        if chain[0] in modules:  # after "import a as b", b.c.d takes d from a.c
             alias = modules[chain[0]]
             path = [alias.name if alias.asname else chain[0], *chain[1:]]
             imports += [(".".join(path[:k]), path[k]) for k in range(1, len(path))]
@@ -138,7 +137,7 @@ def _chain(node):
 
 
 def _resolved(module, wanted, own):
-    """Files, with their modules' names, that an import makes a file depend on."""
+    """The files that an import makes a file depend on, with the names of their modules."""
     file = _file(module, own)
     if wanted is None:
         return [(file, module)] if file else []
@@ -147,7 +146,7 @@ def _resolved(module, wanted, own):
         return [(submodule, f"{module}.{wanted}")]
     if file is None:
         return []
-    if file.stem == "__init__":  # what it passes on comes from elsewhere
+    if file.stem == "__init__":  # find the file that it imports the name from
         for origin, name in _source(file, module).imports:
             if name == wanted:
                 return _resolved(origin, name, own)
@@ -156,7 +155,7 @@ def _resolved(module, wanted, own):
 
 @cache
 def _file(module, own):
-    """The file of a module, None where it is installed or there is none."""
+    """The file of a module; None if the module is installed or does not exist."""
     top, *rest = module.split(".")
     try:
         spec = find_spec(top)
@@ -169,7 +168,7 @@ def _file(module, own):
     places = [file] if file else folders
     if top not in own and any(place.is_relative_to(at) for place in places for at in INSTALLED):
         return None
-    for part in rest:  # a package may lie in several folders, without an __init__
+    for part in rest:  # a package without an __init__ may have several folders
         found = [
             place
             for folder in folders

@@ -1,4 +1,4 @@
-"""Where the time of a run goes."""
+"""Measure the time of a run by stage."""
 
 from contextlib import contextmanager
 from time import perf_counter
@@ -15,7 +15,8 @@ class Profile:
     Attributes
     ----------
     seconds : dict of str to float
-        By stage, each waited for; the compilation of a CPU's kernels is a stage of its own.
+        By stage, each measured until it has finished; the compilation of CPU kernels is a stage of
+        its own.
     calls : dict of str to int
     """
 
@@ -25,7 +26,7 @@ class Profile:
 
     @contextmanager
     def stage(self, name):
-        """Account for what happens inside as stage ``name``."""
+        """Add the time of the block to stage ``name``."""
         compiled = 0.0
 
         def on_compiled(seconds):
@@ -55,7 +56,7 @@ class Profile:
         return SimpleNamespace(**{name: timed(name) for name in passes.__all__})
 
     def table(self):
-        """Lines of text: seconds, share and calls of each stage, largest first, and the rest."""
+        """Lines of text: seconds, share and calls of each stage, largest first, then the rest."""
         total = perf_counter() - self._start
         stages = sorted(self.seconds, key=self.seconds.get, reverse=True)
         rows = [(name, self.seconds[name], self.calls[name]) for name in stages if self.calls[name]]

@@ -1,17 +1,17 @@
-"""A module of passes with some of them exchanged."""
+"""Replace some passes of a module."""
 
 from types import SimpleNamespace
 
 
 def replaced(passes, **own):
-    """Exchange some passes of a module.
+    """Replace some passes of a module.
 
     Parameters
     ----------
     passes : module
         :mod:`stylit_ref.passes`, or another that lists its passes in ``__all__``.
     **own : callable
-        By name, what stands in the place of the module's own.
+        The replacements, by the names of the passes.
 
     Returns
     -------

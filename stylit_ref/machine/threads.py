@@ -1,15 +1,15 @@
-"""How threads wait for each other."""
+"""Make waiting threads sleep."""
 
 import os
 
 
 def sleep_while_waiting():
-    """Have threads sleep soon where they wait for each other, for a program to call at its start.
+    """Let waiting threads sleep almost at once; a program calls this at its start.
 
-    GNU OpenMP spins for milliseconds before it sleeps. If another busy program holds the
-    processor, the spinning thread keeps it from the very thread it waits for, and a run takes up
-    to twenty times as long (``docs/performance.md``). The setting belongs to the process and its
-    children, and is read when the first kernel runs: so programs make it, and the library does not.
-    A value of GOMP_SPINCOUNT that is there already stays.
+    GNU OpenMP threads that wait for each other spin for milliseconds before they sleep. Beside
+    another busy program, a spinning thread can occupy the processor that the awaited thread needs,
+    and a run takes up to twenty times as long (``docs/performance.md``). The setting is the
+    environment variable GOMP_SPINCOUNT, which the first kernel reads and child processes inherit.
+    So programs set it, the library does not, and a user's own value is kept.
     """
     os.environ.setdefault("GOMP_SPINCOUNT", "3000")

@@ -1,11 +1,11 @@
 """Weighted sums of squared differences with vector instructions.
 
-The same number as the triple loop of :func:`stylit_ref.formulae.patch_similarity.delta`,
-several times faster. A row of patch pixels is contiguous in memory, so its bytes are loaded as
-vectors that stay aligned to pixels: lane ``k`` of an accumulator always holds
-channels ``2k`` and ``2k + 1`` of the packed pixel (multiply-add adds neighbours), and
-the weights, equal within a pair (:mod:`stylit_ref.metric.packing`), apply once at the end.
-Plain LLVM vector operations, so the same source compiles for any processor.
+The result is that of the triple loop of :func:`stylit_ref.formulae.patch_similarity.delta`, several
+times faster. A row of patch pixels is contiguous in memory, so its bytes are loaded as vectors that
+stay aligned to pixels: lane ``k`` of an accumulator always holds channels ``2k`` and ``2k + 1`` of
+the packed pixel (multiply-add adds neighbours). Weights are equal within a pair
+(:mod:`stylit_ref.metric.packing`), so they are applied once, at the end. The code uses LLVM's
+portable vector operations, which compile for any processor.
 """
 
 from llvmlite import ir
@@ -13,7 +13,7 @@ from numba import types
 from numba.core import cgutils
 from numba.extending import intrinsic
 
-LANES = 16  # elements a vector load: half of what AVX2 holds, widened to 16 bits
+LANES = 16  # elements of a vector load: as many as AVX2 holds after widening to 16 bits
 _I16, _I32, _I64 = ir.IntType(16), ir.IntType(32), ir.IntType(64)
 
 
@@ -29,8 +29,8 @@ def make_weighted_ssd(rows, pixels, channels, element_bits, first_channel=0):
     element_bits : {8, 16}
         8 for uint8 pixels; 16 for int16 moments (differences must fit int16).
     first_channel : int
-        Vectors that lie before this element of a pixel are left out. The others count
-        whole, so elements before it in the first of them need a weight of 0.
+        Vectors that end before this element of a pixel are left out. A vector that contains it
+        counts as a whole, so the elements before it must have weight 0.
 
     Returns
     -------

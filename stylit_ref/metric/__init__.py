@@ -1,1 +1,1 @@
-"""How the metric is laid out in memory, and the exact savings that make it fast."""
+"""The metric in memory, and exact shortcuts that make it fast."""

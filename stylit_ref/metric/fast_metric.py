@@ -1,17 +1,17 @@
-r"""φ compared without evaluating most of it: three exact savings.
+r"""Compare φ without evaluating most of it: three exact shortcuts.
 
 :mod:`stylit_ref.formulae.improve_assignment` evaluates λρ and δ of both patches in full. Here
-a candidate is dropped as soon as a part of its φ proves that the whole cannot be lower than the
-best φ so far; all numbers are exact integers, so the decisions are the same
-(``tests/passes/test_proposals.py`` holds the two together).
+a candidate is dropped as soon as a part of its φ proves that the whole is not below the best φ so
+far. All numbers are exact integers, so the decisions are the same
+(``tests/passes/test_proposals.py`` compares the two).
 
 1. W(Q), Ω summed over the patch, is kept for every patch (one read in place of 25).
 2. λρ(Q) alone is compared before any pixel is read.
-3. δ is bounded from below by the moments of the patches
-   (:mod:`stylit_ref.metric.lower_bound`): a cache line or two in place of ten and more. It pays
-   for random candidates, far from all that is in the caches, and rejects eleven in
-   twelve. Propagated candidates lie where the neighbours just looked and are seldom
-   much worse; for them the bound costs more than it saves.
+3. The moments of the patches give a lower bound of δ (:mod:`stylit_ref.metric.lower_bound`), which
+   reads a cache line or two in place of ten and more. It pays for random candidates, which are
+   not in any cache: it rejects eleven in twelve. Propagated candidates are in the caches, since
+   their neighbours have just read them, and are seldom much worse; for them the bound costs more
+   than it saves.
 """
 
 from collections.abc import Callable
@@ -31,13 +31,13 @@ from stylit_ref.metric.lower_bound import BOUND_SCALE
 
 @lru_cache
 def make_delta_bound(moments_a_patch):
-    """Compile the lower bound of δ for patches of so many moments.
+    """Compile the lower bound of δ for patches with this number of moments.
 
     Returns
     -------
     callable
-        ``(textures, y, x, source_y, source_x) -> int64``: ``BOUND_SCALE`` times what δ does not
-        fall below.
+        ``(textures, y, x, source_y, source_x) -> int64``: ``BOUND_SCALE`` times a lower bound of
+        δ.
     """
     moments_ssd = make_weighted_ssd(1, 1, moments_a_patch, element_bits=16)
 
@@ -57,21 +57,21 @@ def make_delta_bound(moments_a_patch):
 
 
 class FastMetric(NamedTuple):
-    """The metric, compiled.
+    """The compiled metric.
 
     Attributes
     ----------
     assignment_delta : callable
         ``(textures, y, x, source_y, source_x) -> int64``, equal to
-        :func:`stylit_ref.formulae.patch_similarity.delta`; with a guide map, to
-        :func:`stylit_ref.formulae.guide_map.delta_by_means` where that is white.
+        :func:`stylit_ref.formulae.patch_similarity.delta`; for patches that are white on a guide
+        map, to :func:`stylit_ref.formulae.guide_map.delta_by_means`.
     may_improve : callable
         ``(textures, omega_sums, occurrence_weight, y, x, candidate_y, candidate_x,
-        best_phi) -> bool``: False where λρ alone or with the bound of δ proves that the
+        best_phi) -> bool``: False if λρ, alone or with the bound of δ, proves that the
         candidate's φ is not below ``best_phi``.
     improve_proposal : callable
-        As :func:`stylit_ref.formulae.improve_assignment.make_improve_proposal` has it, its
-        ``metric`` the textures.
+        Made by :func:`stylit_ref.formulae.improve_assignment.make_improve_proposal`; its
+        ``metric`` is the textures.
     """
 
     assignment_delta: Callable
@@ -111,7 +111,7 @@ def make_fast_metric(patch_width, channels, moments_a_patch, mean_channels):
 
     @njit(inline="always")
     def delta_below(textures, y, x, source_y, source_x, limit):
-        """The whole δ: vectors have no use for its limit."""
+        """The whole δ: stopping at a limit does not pay for vector code."""
         return assignment_delta(textures, y, x, source_y, source_x)
 
     @inlined

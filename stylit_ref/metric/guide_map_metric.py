@@ -1,4 +1,4 @@
-"""δ with a guide map (thesis 5.2.2), for the CPU's vectors."""
+"""δ with a guide map (thesis 5.2.2), in vector code for the CPU."""
 
 import numpy as np
 
@@ -20,8 +20,8 @@ def make_guide_map_delta(patch_width, channels, mean_channels, patch_delta):
     Returns
     -------
     callable
-        ``(textures, y, x, source_y, source_x) -> int64``: δ in fixed point, where the patch is
-        white equal to :func:`stylit_ref.formulae.guide_map.delta_by_means`.
+        ``(textures, y, x, source_y, source_x) -> int64``: δ in fixed point; for a white patch equal
+        to :func:`stylit_ref.formulae.guide_map.delta_by_means`.
     """
     radius = patch_width // 2
     style_ssd = make_weighted_ssd(
@@ -32,8 +32,8 @@ def make_guide_map_delta(patch_width, channels, mean_channels, patch_delta):
     def guide_map_delta(textures, y, x, source_y, source_x):
         if not textures.guide_map[y, x]:
             return patch_delta(textures, y, x, source_y, source_x)
-        # Unsigned, since a negative index would count from the end, and Numba guards against it at
-        # every read.
+        # Unsigned: with signed indices, Numba would check at every read for negative ones, which
+        # count from the end.
         guides = guides_by_means(
             textures.weights, textures.target_sums, textures.source_sums, mean_channels,
             patch_width, np.uint64(y), np.uint64(x), np.uint64(source_y), np.uint64(source_x),

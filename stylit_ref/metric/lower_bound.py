@@ -1,4 +1,4 @@
-r"""Moments of a patch: few numbers that bound δ from below.
+r"""Moments of a patch: a few numbers that give a lower bound of δ.
 
 Let :math:`b_k` be orthogonal functions on the pixels of a patch. By Bessel's
 inequality, per channel,
@@ -8,7 +8,7 @@ inequality, per channel,
 
 With the constant function alone this is successive elimination by patch sums (Li and
 Salari 1995). Products of the orthogonal polynomials below, up to degree two, add
-slope and curvature. Guides are smooth, so their sum is enough; the style's grain takes
+slope and curvature. Guides are smooth, so their sums are enough; the grain of the style needs
 all six.
 """
 
@@ -21,23 +21,23 @@ POLYNOMIALS = {
 """Discrete orthogonal polynomials of degree 0, 1, 2 on the pixels of a row."""
 
 BOUND_SCALE = 8
-"""Fixed-point factor of the bound over δ. Weights of moments fit 32 bits with it: guides,
-whose weights may take 32 bits, have the constant alone, of norm 9 or more; the smallest
-norm, 4, is the style's, whose weights take 17."""
+"""Fixed-point factor of the bound over δ. With it, weights of moments fit 32 bits: the weights of
+guides may take 32 bits, but their only moment has a norm of at least 9; the style's moments have
+a norm of at least 4, and its weights take 17 bits."""
 
 LINE_MOMENTS = 32
 """Moments, 16 bits each, in a cache line of 64 bytes."""
 
 CONSTANT = (0, 0)
 STYLE_DEGREES = (((0, 1), (1, 0)), ((0, 2), (2, 0)), ((1, 1),))
-"""Vertical and horizontal degree of a style channel's moments after the constant;
-neighbours have equal norms, so that they can share a weight."""
+"""Vertical and horizontal degrees of a style channel's moments after the constant. Neighbours
+have equal norms, so that they can share a weight."""
 
 
 def moment_width(patch_width):
-    """Width of the central block whose moments are taken.
+    """Width of the central block that moments are taken of.
 
-    Differences of its moments must fit 16 bits: those of 5 x 5 pixels do.
+    Differences of its moments must fit 16 bits; those of 5 x 5 pixels do.
     """
     return min(patch_width, 5)
 
@@ -52,8 +52,8 @@ def squared_norm(width, degrees):
 def patch_moment(texture, first_y, first_x, channel, vertical, horizontal):
     """⟨b, f⟩ on the block whose first pixel is ``(first_y, first_x)``.
 
-    The definition, pixel by pixel; :mod:`stylit_ref.passes.patch_moments` takes the same
-    numbers of every patch at once.
+    This is the definition, pixel by pixel; :mod:`stylit_ref.passes.patch_moments` computes the same
+    numbers for all patches at once.
 
     Parameters
     ----------

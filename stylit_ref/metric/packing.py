@@ -1,12 +1,12 @@
 """Guides and style in one texture, and the weights of the metric (thesis 2.1, 3.2).
 
-The thesis keeps guidance and style channels together in textures Ā and B̄. So does
-this module, in a layout for vector instructions: guides first, then style, a pixel
-padded to a multiple of 16 bytes, and neighbouring channels ``2k`` and ``2k + 1`` always
-of equal weight (where needed the second is a padding channel, zero on both sides and weight 0).
+The thesis keeps guidance and style channels together in textures Ā and B̄. So does this module, in
+a layout for vector instructions: guides first, then the style, each pixel padded to a multiple of
+16 bytes. Neighbouring channels ``2k`` and ``2k + 1`` always have equal weights; where needed the
+second is a padding channel, zero on both sides and of weight 0.
 
-Weights are fixed-point integers, so that φ is an exact integer in any order of
-evaluation: on every processor, with any number of threads.
+Weights are fixed-point integers, so that φ is an exact integer in any order of evaluation, on
+every processor and with any number of threads.
 """
 
 from dataclasses import dataclass
@@ -59,17 +59,17 @@ class Packing:
 
     @property
     def style_pair_weights(self):
-        """The same without the guides', (channels / 2,) uint32."""
+        """The same, with weights of 0 for the guides, (channels / 2,) uint32."""
         weights = self.pair_weights
         weights[: self.style_channel // 2] = 0
         return weights
 
     @property
     def moments(self):
-        """What each of a patch's moments is: channel and degrees, or None for nothing.
+        """Channel and degrees of each moment of a patch, or None for padding.
 
-        A tuple of ``(channel, (vertical, horizontal))``, filling whole cache lines:
-        the sums of all channels, then the higher moments of the style's.
+        A tuple of ``(channel, (vertical, horizontal))`` that fills whole cache lines: the sums of
+        all channels, then the higher moments of the style channels.
         """
         moments = [(channel, CONSTANT) for channel in range(self.channels)]
         style = range(self.style_channel, self.style_channel + self.style_channels)
@@ -80,8 +80,9 @@ class Packing:
     def moment_weights(self, patch_width, guide_map=False):
         """Weights of neighbouring moments in the bound of δ, (moments / 2,) uint32.
 
-        Rounded down: the bound stays one. Of the δ of a guide map, which compares the
-        guides of whole patches by their means, the means of a part are no bound.
+        They are rounded down, so that the bound remains a lower bound. With a guide map the guides
+        weigh 0 if moments cover a part of the patch only: δ then compares the means of whole
+        patches, and the means of a part are no bound of it.
         """
         width = moment_width(patch_width)
         guides_bound = width == patch_width or not guide_map
@@ -94,7 +95,7 @@ class Packing:
         return np.array(weights).reshape(-1, 2).max(axis=1).astype(np.uint32)
 
     def largest_delta(self, patch_width):
-        """What no δ exceeds, fixed point."""
+        """An upper bound of δ, fixed point."""
         return patch_width**2 * 255**2 * int(self.weights.sum())
 
     def pack(self, guides, style=None):
@@ -104,7 +105,7 @@ class Packing:
         ----------
         guides : sequence of (H, W, n) uint8
         style : (H, W, style_channels) uint8, optional
-            Zeros if it is not known yet.
+            Zeros by default.
 
         Returns
         -------
@@ -118,7 +119,7 @@ class Packing:
         return texture
 
     def agrees_with(self, other):
-        """Whether textures of both can be compared."""
+        """Whether textures of both packings can be compared."""
         return self.guide_sizes == other.guide_sizes and np.array_equal(self.weights, other.weights)
 
     def set_style(self, texture, style):
@@ -173,12 +174,12 @@ def make_packing(guide_sizes, style_channels, guide_influence, guide_weights):
         if guide_weight and guide_influence and not fixed:
             raise InputError(
                 f"guide weight {guide_weight:g} with guide influence {guide_influence:g} is too "
-                "small to count; a weight of 0 ignores the guide"
+                "small to count; raise it, or ignore the guide with a weight of 0"
             )
         if fixed >= 1 << 32:
             raise InputError(
                 f"guide weight {guide_weight:g} times guide influence {guide_influence:g} "
-                f"is too large; their product over all guide channels must stay below 65536"
+                f"is too large; divided by {sum(guide_sizes)} guide channels it must be below 65536"
             )
         if len(weights) % 2 and weights[-1] != fixed:
             weights.append(0)

@@ -1,4 +1,4 @@
-"""The arguments that many passes share, in their order: what a search reads and writes."""
+"""The arguments that many passes share, in their order."""
 
 from typing import NamedTuple
 
@@ -8,7 +8,7 @@ from stylit_ref.metric.textures import Textures
 
 
 class Proposal(NamedTuple):
-    """What every pass that proposes assignments begins with: ``propose(*proposal, ...)``.
+    """The first arguments of every pass that proposes assignments: ``propose(*proposal, ...)``.
 
     Attributes
     ----------
@@ -36,14 +36,14 @@ class Proposal(NamedTuple):
     new_delta: np.ndarray
 
     def accepted(self):
-        """The same when all that was proposed is assigned: both fields change places."""
+        """The arguments after all proposals have become assignments: both fields are swapped."""
         return self._replace(
             nnf=self.new_nnf, delta=self.new_delta, new_nnf=self.nnf, new_delta=self.delta
         )
 
 
 class Commitment(NamedTuple):
-    """What a commit reads and writes: ``commit(*commitment)``.
+    """The arguments of a commit: ``commit(*commitment)``.
 
     Attributes
     ----------
@@ -54,7 +54,7 @@ class Commitment(NamedTuple):
         W, Ω summed over each patch.
     occurrence_weight, patch_width : int
     stream : tuple of 4 uint32
-        Decides the order of the classes.
+        Random numbers for the order of the classes.
     moves : (1,) int64
         The number of pixels that moved is added to it.
     """

@@ -1,4 +1,4 @@
-"""One whole array each, on the CPU: loops over the formulae."""
+"""The passes: loops on the CPU that apply the formulae to whole arrays."""
 
 from stylit_ref.passes.claims import invert_nnf, settle_claims
 from stylit_ref.passes.commit import commit

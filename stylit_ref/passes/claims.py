@@ -3,7 +3,7 @@
 from stylit_ref.machine.kernel import kernel
 
 FREE, FIXED, CLAIMED = 0, 1, 2
-"""What a target patch is; anything but ``FREE`` is closed to a retrieval."""
+"""The state of a target patch; a retrieval may only take ``FREE`` ones."""
 
 
 @kernel(parallel=False)
@@ -12,22 +12,22 @@ def settle_claims(
 ):  # fmt: skip
     """Give each free target patch to the closest of the source patches that claim it.
 
-    Claims are considered from the smallest error on, equal ones in the order of rows, as
-    many as the error budget covers. Of two claims to a patch the one with the smaller error
-    wins, or the earlier one.
+    As many claims count as the error budget covers, from the smallest error on; equal errors rank
+    in the order of rows. Of two claims to a patch the one with the smaller error wins, or the
+    earlier one.
 
     Parameters
     ----------
     claims : (H_A - 2 radius, W_A - 2 radius, 2) int32
-        For each source patch the target patch it claims, ``radius`` added to its coordinates.
+        The target patch that each source patch claims, ``radius`` added to its coordinates.
     errors : (H_A - 2 radius, W_A - 2 radius) int64
         Their δ.
     last_error, last_claims : int
-        The largest error within the budget, and how many claims of just that error are.
+        The largest error within the budget, and the number of claims of just that error within it.
     limits : (H_B, W_B) int64
         The largest error that a target patch accepts.
     taken : (H_B + 2 radius, W_B + 2 radius) int32
-        ``FREE`` or ``FIXED``; becomes ``CLAIMED`` where a claim is settled.
+        ``FREE`` or ``FIXED``; becomes ``CLAIMED`` for each settled claim.
     patch_width : int
     nnf, delta : (H_B, W_B, 2) int32 and (H_B, W_B) int64
         Receive the settled assignments.
@@ -54,7 +54,7 @@ def settle_claims(
 
 @kernel(parallel=False)
 def invert_nnf(nnf, delta, patch_width, inverse, inverse_delta):
-    """Turn an NNF round: each source patch gets the closest of the target patches assigned to it.
+    """Invert an NNF: each source patch gets the closest of the target patches assigned to it.
 
     Parameters
     ----------
@@ -62,10 +62,10 @@ def invert_nnf(nnf, delta, patch_width, inverse, inverse_delta):
         Negative where a mask leaves the pixel alone.
     patch_width : int
     inverse : (H_A - 2 radius, W_A - 2 radius, 2) int32
-        Overwritten where a target patch is assigned to the source patch; as ``claims`` of
-        :func:`settle_claims`.
+        As ``claims`` of :func:`settle_claims`; overwritten if a target patch is assigned to the
+        source patch and is closer.
     inverse_delta : (H_A - 2 radius, W_A - 2 radius) int64
-        Their δ; what is there already must be lower to stay.
+        Their δ; a value that is already there stays only if it is lower.
     """
     radius = patch_width // 2
     for y in range(delta.shape[0]):

@@ -1,9 +1,9 @@
-"""Commit: proposals become assignments while Ω follows (the canonical schedule).
+"""Commit: turn proposals into assignments and update Ω (the canonical schedule).
 
-The thesis' kernels update Ω with atomics as they run, so the outcome depends on which
-thread comes first. With Ω frozen instead, too many patches rush to the same unused
-source pixels at once. Here the search only proposes; the proposals are then taken up
-class by class of an interleaved lattice, each compared once more with Ω as it stands.
+The thesis' kernels update Ω with atomics as they run, so the outcome depends on which thread comes
+first. With Ω frozen instead, too many patches rush to the same unused source pixels at once. Here
+the search only proposes. Then the target pixels commit in the classes of an interleaved lattice,
+one class after another; each pixel compares its proposal once more, with the current Ω.
 """
 
 import numpy as np
@@ -15,8 +15,8 @@ from stylit_ref.machine.kernel import kernel
 from stylit_ref.metric.proposal import Commitment
 from stylit_ref.randomness.commit_classes import CLASS_STRIDE, commit_order
 
-# Threads meet 33 times in a commit. On fewer pixels than this it costs more than it saves, and
-# far more where other programs keep a thread from coming to the meeting.
+# Threads wait for each other 33 times in a commit. On fewer pixels than this, waiting costs more
+# than threads save, and far more if other programs delay one of them.
 FEWEST_PIXELS_FOR_THREADS = 30_000
 
 
@@ -24,7 +24,7 @@ FEWEST_PIXELS_FOR_THREADS = 30_000
 def _decide(nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, y, columns):
     """Move or leave the pixels of a row that have a proposal.
 
-    Keeps the ``columns`` of those that moved, in front; returns their number.
+    Moves the ``columns`` of the pixels that moved to the front; returns their number.
     """
     moved = 0
     for x in columns:
@@ -59,7 +59,7 @@ def _commit(commitment, columns, counts, order, bands):
             )  # fmt: skip
         if not occurrence_weight:
             continue
-        # Each thread brings a band of W's rows up to date, for all moves that reach it.
+        # Each thread updates a band of W's rows, for all moves that affect it.
         for band in prange(bands):
             first_row = omega_sums.shape[0] * band // bands
             rows = omega_sums[first_row : omega_sums.shape[0] * (band + 1) // bands]
@@ -76,19 +76,19 @@ def commit(
     nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, patch_width, stream,
     moves,
 ):  # fmt: skip
-    """Take up proposals where φ falls, one class of target pixels after another.
+    """Accept the proposals that lower φ, one class of target pixels after another.
 
-    Within a class all decisions read W as the class began; then W follows.
+    All decisions of a class read W as it was when the class began; then W is updated.
 
     Parameters
     ----------
     nnf, delta : (H_B, W_B, 2) int32 and (H_B, W_B) int64
         Assignments and their δ, updated in place.
     proposed_nnf, proposed_delta : like ``nnf`` and ``delta``
-        Afterwards NNF' holds the assignments from before; the proposals' δ are of no use.
+        Afterwards NNF' holds the previous assignments; the δ of proposals is undefined.
     omega_sums : (H_A, W_A) int32
-        W, brought up to date after each class. Left alone where ``occurrence_weight``
-        is 0 and nothing reads it.
+        W, updated after each class. If ``occurrence_weight`` is 0, nothing reads W and it
+        stays as it is.
     occurrence_weight, patch_width : int
     stream : tuple of 4 uint32
         Decides the order of the classes
@@ -101,7 +101,7 @@ def commit(
         stream, moves,
     )  # fmt: skip
     height, width = delta.shape
-    # The columns of the pixels that have a proposal, by row and class; then of those that moved.
+    # Columns of the pixels that have a proposal, by row and class; later of those that moved.
     columns = np.empty((height, CLASS_STRIDE, -(-width // CLASS_STRIDE)), np.int32)
     counts = np.zeros((height, CLASS_STRIDE), np.int32)
     order = np.empty((CLASS_STRIDE**2, 2), np.int32)

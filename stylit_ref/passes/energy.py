@@ -33,6 +33,6 @@ def energy(nnf, delta, omega_sums):
     """
     sums = np.zeros((delta.shape[0], 3), np.int64)
     _sum_rows(nnf, delta, omega_sums, sums)
-    # Python's integers: the sum over all rows may pass 64 bits.
+    # Python's integers: the sum over all rows may exceed 64 bits.
     total_delta, total_omega_sum, patches = sums.astype(object).sum(axis=0)
     return total_delta / patches, total_omega_sum / patches

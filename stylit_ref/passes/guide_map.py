@@ -28,7 +28,7 @@ def guide_map(texture, sums, weights, patch_width, epsilon, white):
     texture : (H_B + 2 radius, W_B + 2 radius, C) uint8
         B̄, its edge pixels repeated.
     sums : (H_B, W_B, n) uint16 or uint32
-        Of its guides, from :func:`stylit_ref.passes.means`.
+        Sums of its guides, from :func:`stylit_ref.passes.means`.
     weights : (C,) int64
     patch_width : int
     epsilon : float

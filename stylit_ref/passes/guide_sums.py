@@ -1,4 +1,4 @@
-"""Means of the guides over every patch, as sums (Kernel_EvaluateMeans, thesis 5.2.2)."""
+"""Sums of the guides over every patch, in place of means (Kernel_EvaluateMeans, thesis 5.2.2)."""
 
 from functools import lru_cache
 
@@ -23,14 +23,14 @@ def _make_kernel(patch_width):
 def means(texture, sums, patch_width, first):
     """Sum the guide channels over every patch that lies in a texture.
 
-    The name is the thesis' (Evaluate_Means) and the ports': what it gives are sums, w² times
-    the means, since they are exact.
+    The thesis (Evaluate_Means) and the ports use the name "means". The pass gives sums, w² times
+    the means, since these are exact.
 
     Parameters
     ----------
     texture : (H, W, C) uint8
     sums : (H', W', n) uint16 or uint32
-        ``sums[first + y, first + x]`` receives those of the patch whose first pixel is
+        ``sums[first + y, first + x]`` receives the sums of the patch whose first pixel is
         ``texture[y, x]``, for the first n packed channels. ``first`` is ``radius`` for the
         source and 0 for the target, as for :func:`stylit_ref.passes.patch_moments`.
     patch_width, first : int

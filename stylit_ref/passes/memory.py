@@ -1,10 +1,10 @@
-"""Where the arrays of a run live: on the CPU they are where they were."""
+"""Memory of the arrays of a run; on the CPU nothing needs to be copied."""
 
 import numpy as np
 
 
 def upload(array):
-    """The array in the memory that the passes work on.
+    """The array, in the memory that the passes work on.
 
     Parameters
     ----------
@@ -14,18 +14,18 @@ def upload(array):
 
 
 def download(array):
-    """An array of the passes as NumPy's.
+    """An array of the passes as a NumPy array.
 
     Parameters
     ----------
     array : array
-        As the passes made it, or :func:`upload`.
+        Made by a pass or by :func:`upload`.
     """
     return array
 
 
 def wait():
-    """Return when all passes that were called are done: here at once."""
+    """Return when all passes that were called have finished: on the CPU at once."""
 
 
 def zeros(shape, dtype):

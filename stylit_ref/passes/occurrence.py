@@ -1,15 +1,15 @@
 """The occurrence map Ω of a whole NNF, and its sums over patches (thesis 2.1, 3.2).
 
-Ω counts, at each source pixel, the assigned patches that cover it: the box sum of
-n, the number of target patches assigned to each centre. W, Ω summed over a patch, is
-the box sum of Ω. Three maps of integers, so the order of additions does not matter.
+Let n be the number of target patches assigned to each source centre. Ω counts, at each source
+pixel, the assigned patches that cover it, so it is the box sum of n. W, Ω summed over a patch, is
+the box sum of Ω. All three are maps of integers, so the order of additions does not matter.
 """
 
 import numpy as np
 
 
 def count_assignments(nnf, source_size):
-    """n: how many target patches are assigned to each source centre.
+    """n, the number of target patches assigned to each source centre.
 
     Parameters
     ----------
@@ -30,7 +30,7 @@ def count_assignments(nnf, source_size):
 
 
 def box_sum(values, patch_width):
-    """Sum over the patch around each pixel; outside the image counts as zero.
+    """Sum over the patch around each pixel; values outside the image are zero.
 
     Parameters
     ----------

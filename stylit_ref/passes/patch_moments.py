@@ -1,4 +1,4 @@
-"""Moments of every patch: what the lower bound of δ reads."""
+"""Moments of every patch, for the lower bound of δ."""
 
 from functools import lru_cache
 
@@ -11,7 +11,7 @@ from stylit_ref.metric.lower_bound import LINE_MOMENTS, POLYNOMIALS, moment_widt
 
 @lru_cache
 def _make_kernel(patch_width, channels, style_channel, style_channels):
-    """Widths and channels are constants, so that the innermost loops become vectors."""
+    """Compile for constant widths and channels, so that the innermost loops are vectorized."""
     width = moment_width(patch_width)
     margin = patch_width // 2 - width // 2
     _, slope, curve = POLYNOMIALS[width]
@@ -21,7 +21,7 @@ def _make_kernel(patch_width, channels, style_channel, style_channels):
         rows = texture.shape[0] - patch_width + 1
         bands = columns.shape[0]
         for band in prange(bands):
-            # Each polynomial down the columns first, then along the row.
+            # Apply each polynomial down the columns first, then along the row.
             sums, slopes, curves = columns[band, 0], columns[band, 1], columns[band, 2]
             for y in range(rows * band // bands, rows * (band + 1) // bands):
                 for x in range(texture.shape[1]):
@@ -67,22 +67,22 @@ def _make_kernel(patch_width, channels, style_channel, style_channels):
 def patch_moments(
     texture, moments, patch_width, first, style_channel, style_channels, style_only=False
 ):
-    """Take the moments of every patch that lies in a texture.
+    """Compute the moments of every patch that lies in a texture.
 
     Parameters
     ----------
     texture : (H, W, C) uint8
     moments : (H', W', lanes) int16
-        ``moments[first + y, first + x]`` receives those of the patch whose first pixel
-        is ``texture[y, x]`` (of its central 5 x 5 pixels if it is wider), in the order
-        of :attr:`stylit_ref.metric.packing.Packing.moments`. ``first`` is ``radius`` for the
-        source, whose moments are indexed by patch centre, and 0 for the target, whose
-        edge is repeated ``radius`` times.
+        ``moments[first + y, first + x]`` receives the moments of the patch whose first pixel is
+        ``texture[y, x]`` (of its central 5 x 5 pixels if it is wider), in the order of
+        :attr:`stylit_ref.metric.packing.Packing.moments`. ``first`` is ``radius`` for the source,
+        whose moments are indexed by patch centre, and 0 for the target, whose edge is repeated
+        ``radius`` times.
     patch_width, first : int
     style_channel, style_channels : int
         First style channel in a packed pixel and their number.
     style_only : bool
-        Leave the guides' sums as they are: votes do not change them.
+        Leave the sums of the guides as they are; votes do not change them.
     """
     run = _make_kernel(patch_width, texture.shape[2], style_channel, style_channels)
     columns = np.empty((get_num_threads(), 3, *texture.shape[1:]), np.int16)
@@ -90,7 +90,7 @@ def patch_moments(
 
 
 def moments_storage(height, width, lanes):
-    """Zeros for the moments of as many patches, the first at the start of a cache line.
+    """Zeros for the moments of all patches; the array begins at the start of a cache line.
 
     Parameters
     ----------

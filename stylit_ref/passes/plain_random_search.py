@@ -1,11 +1,12 @@
-"""Random search as its kernel in 3.3 reads: pixel after pixel, candidate after candidate.
+"""Random search as the thesis writes its kernel (3.3): pixel by pixel, candidate by candidate.
 
-What :mod:`stylit_ref.passes.random_search` does faster, with the same results. Here every
-candidate's δ is evaluated in full, unless λρ alone exceeds the best φ, as in the thesis.
+:mod:`stylit_ref.passes.random_search` gives the same results faster. Here δ of every candidate is
+evaluated in full, unless λρ alone exceeds the best φ, as in the thesis.
 
-The two differ in the bound of δ, batches and prefetching. They share the draws, the choice and δ in
-vectors: with δ in its plainest form, six times as slow, a comparison of times would not tell what
-the bound saves. That they agree says nothing of what they share; brute force in the tests does.
+The two differ in the bound of δ, batches and prefetching. They share the draws, the choice, and δ
+in vector code: δ in its simplest form is six times as slow, and a comparison of times would not
+show what the bound saves. Their agreement does not test the code they share; the tests by brute
+force do.
 """
 
 from functools import lru_cache
@@ -68,7 +69,7 @@ def plain_random_search(
     textures, omega_sums, occurrence_weight, patch_width,
     nnf, delta, new_nnf, new_delta, stream, side=None,
 ):  # fmt: skip
-    """As :func:`stylit_ref.passes.random_search`, parameters and results."""
+    """Parameters and results are those of :func:`stylit_ref.passes.random_search`."""
     run = _make_kernel(*vector_sizes(textures, patch_width))
     radii = number_of_radii(side or max(delta.shape))
     run(textures, omega_sums, occurrence_weight, nnf, delta, new_nnf, new_delta, stream, radii)

@@ -19,7 +19,7 @@ def _make_kernel(patch_width, channels, moments_a_patch, mean_channels):
         patch_width, channels, moments_a_patch, mean_channels
     ).improve_proposal
 
-    # Its arguments stay apart: Numba takes no named tuple within another one into a prange loop.
+    # Separate arguments: Numba allows no named tuple inside another in a prange loop.
     @kernel(patch_width, channels, moments_a_patch, mean_channels)
     def propagation_kernel(
         textures, omega_sums, occurrence_weight, nnf, delta, new_nnf, new_delta, distance
@@ -59,8 +59,8 @@ def propagation(
 ):  # fmt: skip
     """Offer every target patch the assignments of four neighbours, shifted back.
 
-    Ω stays as it is during the pass. Candidates come in the thesis' order: the
-    neighbours to the right, below, to the left, above.
+    Ω does not change during the pass. Candidates come in the thesis' order: the neighbours to the
+    right, below, to the left, above.
 
     Parameters
     ----------

@@ -1,7 +1,7 @@
 """Image pyramid and the step from one level to the next (thesis 2.3, 3.4).
 
-A level is made from the one above it. A last odd row or column has no 2 x 2 block of its own and
-is left out.
+Each level is made from the next finer one. An odd last row or column has no 2 x 2 block of its own
+and is left out.
 """
 
 import numpy as np

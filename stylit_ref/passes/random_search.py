@@ -20,10 +20,10 @@ from stylit_ref.metric.lower_bound import LINE_MOMENTS
 from stylit_ref.metric.textures import vector_sizes
 from stylit_ref.randomness.random_stream import random_words
 
-# Random candidates miss every cache, and none depends on how another fared. So a few
-# target pixels take each step together: all candidates are drawn, then asked for from
-# memory, then bounded, and the one in twelve that a bound does not reject is evaluated.
-# plain_random_search.py does the same pixel after pixel.
+# Random candidates are in no cache, and none depends on the result of another. So a few target
+# pixels take each step together: all candidates are drawn, then prefetched from memory, then
+# bounded, and the one in twelve that the bound does not reject is evaluated.
+# plain_random_search.py does the same pixel by pixel.
 PIXELS_A_BATCH = 16
 
 
@@ -114,8 +114,8 @@ def random_search(
 ):  # fmt: skip
     """Offer every target patch random candidates at radius 1, 2, 4, ...
 
-    The squares are centred on the assignment the pass began with and double up to
-    half of ``side``. Ω stays as it is during the pass.
+    The squares are centred on the assignment that the pass begins with; their radius doubles up to
+    half of ``side``. Ω does not change during the pass.
 
     Parameters
     ----------
@@ -134,7 +134,7 @@ def random_search(
     stream : tuple of 4 uint32
         From :func:`stylit_ref.randomness.random_stream.random_stream`.
     side : int, optional
-        The larger side of the target if not given, as in the thesis' kernel.
+        By default the larger side of the target, as in the thesis' kernel.
     """
     run = _make_kernel(*vector_sizes(textures, patch_width))
     height = delta.shape[0]

@@ -1,4 +1,4 @@
-"""Voting with another style image, at its own depth and possibly enlarged."""
+"""Voting with another style image, at its own bit depth and possibly enlarged."""
 
 import numpy as np
 from numba import prange
@@ -9,13 +9,13 @@ from stylit_ref.machine.kernel import kernel
 
 @kernel()
 def replay_vote(style, means, nnf, patch_width, scale):
-    """Mean of the votes as in :func:`stylit_ref.passes.vote.vote`, ``scale`` pixels for one.
+    """Mean of the votes as in :func:`stylit_ref.passes.vote.vote`, at ``scale`` times the size.
 
     Parameters
     ----------
     style : (scale * H_A, scale * W_A, n) uint8, uint16 or float32
     means : (scale * H_B, scale * W_B, n) float64
-        Overwritten where an assigned patch covers the pixel; not rounded.
+        Overwritten at pixels that an assigned patch covers; not rounded.
     nnf : (H_B, W_B, 2) int32
         Negative where nothing is assigned.
     patch_width, scale : int

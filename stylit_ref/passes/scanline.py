@@ -1,4 +1,4 @@
-"""PatchMatch in scan-line order with Ω live: the plainest reference (thesis 2.4)."""
+"""PatchMatch in scan-line order with Ω live: the simplest reference (thesis 2.4)."""
 
 from stylit_ref.formulae.candidates import propagation_candidate, random_candidate
 from stylit_ref.formulae.improve_assignment import improve_assignment
@@ -10,7 +10,7 @@ from stylit_ref.randomness.random_stream import random_words
 def scanline(
     source, target, weights, omega, occurrence_weight, patch_width, nnf, stream, reverse
 ):  # fmt: skip
-    """One PatchMatch iteration: propagation and random search, patch after patch.
+    """One PatchMatch iteration: propagation and random search, one patch after another.
 
     Parameters
     ----------
@@ -18,7 +18,7 @@ def scanline(
     target : (H_B + 2 radius, W_B + 2 radius, C) uint8
     weights : (C,) int64
     omega : (H_A, W_A) int32
-        Ω, brought up to date with every change of an assignment.
+        Ω, updated with every change of an assignment.
     occurrence_weight : int
     patch_width : int
     nnf : (H_B, W_B, 2) int32

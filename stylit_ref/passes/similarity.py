@@ -1,4 +1,4 @@
-"""δ of the assignments as they stand (thesis 2.1)."""
+"""δ of the current assignments (thesis 2.1)."""
 
 from functools import lru_cache
 

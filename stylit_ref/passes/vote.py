@@ -25,8 +25,8 @@ def _make_kernel(patch_width, style_channels):
         for y in prange(height):
             for x in range(width):
                 inside = radius <= y < height - radius and radius <= x < width - radius
-                # One scalar a channel: they stay in registers, and those past the
-                # style's channels vanish.
+                # One scalar for each channel stays in a register; the compiler removes
+                # those that the style does not have.
                 total_0 = total_1 = total_2 = total_3 = votes = 0
                 for dy in range(-radius, radius + 1):
                     for dx in range(-radius, radius + 1):
@@ -55,7 +55,7 @@ def _make_kernel(patch_width, style_channels):
 
 @lru_cache
 def _make_robust_kernel(patch_width, style_channels):
-    """The mean without the votes farthest from it (Hauptfleisch 2020, 2.4.1)."""
+    """Compile the mean without the votes farthest from it (Hauptfleisch 2020, 2.4.1)."""
     radius = patch_width // 2
 
     @kernel(patch_width, style_channels)
@@ -97,10 +97,10 @@ def _make_robust_kernel(patch_width, style_channels):
 def vote(source, target, nnf, patch_width, style_channel, style_channels, outliers=0):
     """Average the votes for every pixel of the target's style.
 
-    A pixel at ``(y, x)`` hears the patches centred at ``(y + dy, x + dx)`` that lie in
-    the target and have an assignment Q; each votes for the source pixel
-    ``Q - (dy, dx)``. Means are rounded half up. The thesis divides by w² everywhere;
-    near the border fewer patches cover a pixel and the mean is over those.
+    The patches centred at ``(y + dy, x + dx)`` vote for the pixel ``(y, x)``, if they lie in the
+    target and have an assignment Q; the vote is the source pixel ``Q - (dy, dx)``. Means are
+    rounded half up. The thesis divides by w² everywhere; near the border fewer patches cover a
+    pixel, and here the mean is over those.
 
     Parameters
     ----------
@@ -113,8 +113,9 @@ def vote(source, target, nnf, patch_width, style_channel, style_channels, outlie
     style_channel, style_channels : int
         First style channel in a packed pixel and their number.
     outliers : int
-        t: as many votes do not count, those farthest from the mean of all; of equally far ones
-        those from further up, then further left, go first. One vote is always kept.
+        t, the number of votes that do not count: those farthest from the mean of all. Of equally
+        far votes, those of patches further up, then further left, are left out first. One vote
+        always counts.
     """
     if outliers:
         run = _make_robust_kernel(patch_width, style_channels)

@@ -1,1 +1,1 @@
-"""Which random number belongs to which draw."""
+"""Random numbers: each draw has its own, whatever the order of computation."""

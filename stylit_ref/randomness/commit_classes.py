@@ -1,4 +1,4 @@
-"""The interleaved classes of target pixels that commit one after another."""
+"""The interleaved classes of target pixels, which commit one after another."""
 
 from numba import njit
 
@@ -11,7 +11,7 @@ CLASS_STRIDE = 4
 
 @njit
 def commit_order(stream, order):
-    """Shuffle the classes (Fisher-Yates), so that none is always first to choose.
+    """Shuffle the classes (Fisher-Yates), so that none always chooses first.
 
     Parameters
     ----------

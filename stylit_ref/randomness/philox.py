@@ -1,8 +1,8 @@
 """Counter-based random numbers: Philox4x32-10 (Salmon et al. 2011, Random123).
 
-A draw depends on its counter and key alone, so every pixel draws the same numbers
-whichever thread, block or device asks, and no state is carried (the thesis keeps a
-``curandState`` per pixel instead, section 3.3).
+A draw depends only on its counter and key. So every pixel draws the same numbers in any thread,
+block or device, and there is no state to keep (the thesis keeps a ``curandState`` for each pixel,
+section 3.3).
 """
 
 import numpy as np

@@ -1,6 +1,6 @@
-"""Which random numbers belong to which draw.
+"""The Philox counter and key of each draw.
 
-The Philox counter names the draw, so the schedule can run in any order:
+The counter names the draw, so that draws can be made in any order:
 
 ==========  ==================================================================
 word 0      target pixel, ``y * width + x`` (or the position in a shuffle)
@@ -19,7 +19,7 @@ from stylit_ref.randomness.philox import philox4x32
 RANDOM_NNF, RANDOM_SEARCH, COMMIT_ORDER, RETRIEVAL_NNF, RETRIEVAL_SEARCH = 1, 2, 3, 4, 5
 
 ITERATIONS = 1 << 16
-"""Iterations of a vote that the counter tells apart, and as many votes and levels."""
+"""Number of iterations that the counter can tell apart; the same for votes and levels."""
 
 
 def random_stream(seed, purpose, level=0, vote=0, iteration=0):

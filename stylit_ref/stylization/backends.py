@@ -1,4 +1,4 @@
-"""Where the passes run: on the CPU, or as CUDA kernels in one of several ways."""
+"""Backends: the passes on the CPU, and several ways to run them as CUDA kernels."""
 
 from collections.abc import Callable
 from types import ModuleType
@@ -9,14 +9,14 @@ from stylit_ref.errors import InputError
 
 
 class Backend(NamedTuple):
-    """What a run takes from where it runs.
+    """The parts of a run that depend on where it runs.
 
     Attributes
     ----------
     passes : module
-        Offers the functions of :mod:`stylit_ref.passes`.
+        A module with the functions of :mod:`stylit_ref.passes`.
     iterate : callable, optional
-        A PatchMatch iteration of its own, in the place of the schedule's.
+        A PatchMatch iteration that replaces that of the schedule.
     """
 
     passes: ModuleType
@@ -27,7 +27,7 @@ CPU = Backend(passes)
 
 
 def _cuda():
-    """The kernels as the library calls them."""
+    """The kernels of the default schedule."""
     import gpu_cuda
 
     return Backend(gpu_cuda)
@@ -41,7 +41,7 @@ def _shared_memory():
 
 
 def _live():
-    """Ω live by atomics, ρ summed over Ω (thesis 3.2, 3.3): no two runs are the same."""
+    """Ω live by atomics, ρ summed over Ω (thesis 3.2, 3.3); runs are not reproducible."""
     import gpu_cuda
     from gpu_cuda.variants.live import live
 
@@ -49,7 +49,7 @@ def _live():
 
 
 def _live_sums():
-    """The same with W, Ω summed over each patch, in the place of Ω."""
+    """The same with W, Ω summed over each patch, in place of Ω."""
     import gpu_cuda
     from gpu_cuda.variants.live import live_sums
 
@@ -62,7 +62,7 @@ GPU_BACKENDS = {
     "cuda:live": _live,
     "cuda:live_sums": _live_sums,
 }
-"""By name, how a GPU is used; what a method can take stands in its row of the methods."""
+"""The ways to use a GPU, by name; ``METHODS`` says which of them each method can use."""
 
 BACKENDS = ("cpu", "auto", *GPU_BACKENDS)
 
@@ -73,8 +73,8 @@ def find_backend(name: str, params) -> Backend:
     Parameters
     ----------
     name : str
-        One of :data:`BACKENDS`. ``auto`` is ``cuda`` where there is a GPU and the method has
-        kernels, otherwise ``cpu``.
+        One of :data:`BACKENDS`. ``auto`` is ``cuda`` if there is a GPU and the method has kernels,
+        otherwise ``cpu``.
     params : Params
 
     Returns
@@ -97,14 +97,14 @@ def find_backend(name: str, params) -> Backend:
         return CPU
     if name not in ("auto", *offered):
         raise InputError(
-            f"is {name!r}, but method {params.method!r} in schedule {params.schedule!r} has no "
+            f"is {name!r}, but method {params.method!r} with schedule {params.schedule!r} has no "
             f"kernels for it; choose {' or '.join(map(repr, ('cpu', *offered)))}",
             parameter="backend",
         )
     missing = _missing()
     if missing:
         raise InputError(
-            f"is {name!r} but {missing}; 'stylit-ref doctor' says what there is",
+            f"is {name!r}, but {missing}; 'stylit-ref doctor' shows what is installed",
             parameter="backend",
         )
     return GPU_BACKENDS["cuda" if name == "auto" else name]()
@@ -114,6 +114,6 @@ def _missing():
     """One clause that says why kernels cannot run, or None."""
     try:
         from gpu_cuda.host import doctor
-    except ImportError as error:  # of numba-cuda, where a part of it is not installed
+    except ImportError as error:  # if a part of numba-cuda is not installed
         return f"the kernels cannot be loaded: {error}"
     return doctor.missing()

@@ -1,40 +1,40 @@
-r"""How many correspondences a source-to-target retrieval may keep: the error budget of StyLit.
+r"""The error budget of StyLit: how many correspondences a source-to-target retrieval may keep.
 
-Fišer et al. 2016, as told in Hauptfleisch 2020, 2.3.1: the errors of all correspondences, sorted,
-resemble a hyperbola :math:`f(x) = (a - bx)^{-1}`. One is fitted; beyond its knee
-:math:`f'(x_k) = 1` correspondences are probably wrong. The budget T is the sum of the errors
-up to the knee, and as many correspondences are kept as fit into it (2.5): those of the smallest
-errors.
+This is the budget of Fišer et al. 2016, as described in Hauptfleisch 2020, 2.3.1. The sorted
+errors of all correspondences resemble a hyperbola :math:`f(x) = (a - bx)^{-1}`, which is fitted to
+them. Beyond its knee, :math:`f'(x_k) = 1`, correspondences are probably wrong. The budget T is the
+sum of the errors up to the knee. The correspondences of the smallest errors are kept, as many as
+fit into the budget (2.5).
 
-What the text leaves open, and what is done here:
+Points that the text leaves open, and the choice made here:
 
-- The slope of 1 is meant where x runs from 0 at the smallest error to 1 at the largest and
-  the hyperbola ends at f(1) = 1, so that it means the same at every size and in every unit. The
-  knee then lies between 0.75 and 1: three quarters of the correspondences are always kept.
-- The fit is robust (a loss that grows with a residual, not its square): the few largest errors,
-  which may be anything, do not decide.
-- A hyperbola too flat to have that slope, f(1) < 2 f(0), has no knee, nor have errors that are
-  all alike: all of them are within the budget.
-- A fit that does not converge gives way to the share of Hauptfleisch 4.1.2:
-  T is 0.9 times the sum of all errors.
-- A sum of exactly T is within the budget, where (2.5) has "<": errors of 0 must be, and those
-  before the knee are meant to be. At least one correspondence is.
-- Correspondences that lose their target patch to a closer one, or that α refuses, have spent
-  their error all the same: the budget is over correspondences, as T is.
+- x runs from 0 at the smallest error to 1 at the largest, and the hyperbola is scaled to f(1) = 1.
+  So the slope of 1 means the same at every size and in every unit. The knee then lies between 0.75
+  and 1: three quarters of the correspondences are always kept.
+- The fit is robust: its loss grows with a residual, not with its square. So the few largest errors,
+  which can have any size, do not decide.
+- A hyperbola that is too flat to have that slope, f(1) < 2 f(0), has no knee; neither have errors
+  that are all equal. Then all errors are within the budget.
+- If the fit does not converge, T is 0.9 times the sum of all errors, the share of Hauptfleisch
+  4.1.2.
+- A sum of exactly T is within the budget, although (2.5) has "<": errors of 0 must be within it,
+  and so must those up to the knee. At least one correspondence is always kept.
+- Correspondences that lose their target patch to a closer one, or that α refuses, spend their error
+  nevertheless: the budget counts correspondences, as T does.
 - Equal errors rank in the order of rows (:func:`stylit_ref.passes.claims.settle_claims`).
 """
 
 import numpy as np
 
 SHARE = 0.9
-"""Budget over the sum of all errors where no hyperbola can be fitted."""
+"""Budget over the sum of all errors if no hyperbola can be fitted."""
 
 SAMPLES = 1001
-"""Of the sorted errors, evenly spaced, that a hyperbola is fitted to."""
+"""Number of sorted errors, evenly spaced, that a hyperbola is fitted to."""
 
 
 def fit_hyperbola(x, y):
-    """Fit :math:`(a - bx)^{-1}`, outliers counting little.
+    """Fit :math:`(a - bx)^{-1}`, with little influence of outliers.
 
     Parameters
     ----------
@@ -51,7 +51,7 @@ def fit_hyperbola(x, y):
     RuntimeError
         If the fit does not converge.
     """
-    from scipy.optimize import least_squares  # here: it takes as long as a third of a start
+    from scipy.optimize import least_squares  # imported late: it takes a third of the start-up time
 
     def residuals(ends):  # 1/f(0) and 1/f(1)
         return 1 / (ends[0] * (1 - x) + ends[1] * x) - y
@@ -65,7 +65,7 @@ def fit_hyperbola(x, y):
 
 
 def knee(a, b):
-    r"""Find x where the slope of :math:`f(x) = (a - bx)^{-1}` over f(1) is 1, at most 1.
+    r"""Find the x where the slope of :math:`f(x) = (a - bx)^{-1}` over f(1) is 1; x is at most 1.
 
     :math:`f' = b f^2`, so :math:`a - b x_k = \sqrt{b (a - b)}`.
     """

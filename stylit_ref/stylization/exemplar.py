@@ -1,4 +1,4 @@
-"""What belongs to the source of a stylization: made once, shared by targets and runs."""
+"""The source of a stylization: made once, shared by targets and runs."""
 
 from functools import cached_property
 from types import ModuleType
@@ -10,7 +10,7 @@ from stylit_ref.metric.packing import Packing
 
 
 class ExemplarLevel:
-    """One level of an exemplar: Ā and what follows from it, made when it is first asked for.
+    """One level of an exemplar: Ā, and what is computed from it when it is first needed.
 
     Parameters
     ----------
@@ -18,7 +18,7 @@ class ExemplarLevel:
     packing : Packing
     patch_width : int
     texture : (H_A, W_A, C) uint8
-        Ā, where the passes have it.
+        Ā, in the memory of the passes.
     """
 
     def __init__(self, passes, packing, patch_width, texture):
@@ -42,7 +42,7 @@ class ExemplarLevel:
 
     @cached_property
     def guide_sums(self):
-        """M_A times w² (5.2.2): the guides' sums over each patch, (H_A, W_A, n) integers."""
+        """M_A times w² (5.2.2): the sums of the guides over each patch, (H_A, W_A, n) integers."""
         shape = *self.size, self.packing.style_channel
         sums = self.passes.zeros(shape, sums_dtype(self.patch_width))
         self.passes.means(self.texture, sums, self.patch_width, self.patch_width // 2)
@@ -50,10 +50,10 @@ class ExemplarLevel:
 
 
 class Exemplar:
-    """A style with its guides, and its pyramid.
+    """A style with its guides and its pyramid.
 
-    Levels count from the finest, which has depth 0, since runs of fewer and of more levels share
-    them. What has been made of a level stays until :meth:`forget`.
+    Levels count from the finest, which has depth 0, so that runs with different numbers of levels
+    can share them. What was computed for a level is kept until :meth:`forget`.
 
     Parameters
     ----------
@@ -62,7 +62,7 @@ class Exemplar:
     packing : Packing
     patch_width : int
     texture : (H_A, W_A, C) uint8
-        Packed texture Ā of the finest level, NumPy's.
+        Packed texture Ā of the finest level, a NumPy array.
     """
 
     def __init__(self, passes: ModuleType, packing: Packing, patch_width: int, texture: np.ndarray):
@@ -77,7 +77,7 @@ class Exemplar:
         return self._texture.shape[:2]
 
     def level(self, depth: int) -> ExemplarLevel:
-        """The level so many halvings below the finest (thesis 3.4)."""
+        """The level that is ``depth`` halvings below the finest (thesis 3.4)."""
         while len(self._textures) <= depth:
             self._textures.append(self.passes.downsample(self._textures[-1]))
         if depth not in self._levels:
@@ -88,11 +88,11 @@ class Exemplar:
         return self._levels[depth]
 
     def forget(self, depth: int) -> None:
-        """Give up what was made of a level but its texture: about four times as much memory."""
+        """Free what was computed for a level: about four times the memory of its texture."""
         self._levels.pop(depth, None)
 
     def repainted(self, style: np.ndarray) -> "Exemplar":
-        """The exemplar with another style over the same guides, whose sums are shared.
+        """An exemplar with another style over the same guides; both share the sums of the guides.
 
         Parameters
         ----------
@@ -101,7 +101,7 @@ class Exemplar:
         Returns
         -------
         Exemplar
-            A run with the old one goes on as it was.
+            Runs with the old exemplar are not affected.
 
         Raises
         ------

@@ -1,4 +1,4 @@
-"""One pyramid level of a run: its textures, its assignments, and what follows from them."""
+"""One pyramid level of a run: its textures, its assignments, and what is computed from them."""
 
 from types import ModuleType
 
@@ -12,16 +12,16 @@ from stylit_ref.stylization.target import TargetLevel
 
 
 def join(exemplar: ExemplarLevel, target: TargetLevel, guide_map=None) -> Textures:
-    """Both sides of a comparison as the passes take them, the memory shared.
+    """Join source and target into the textures that the passes take; memory is shared.
 
     Parameters
     ----------
     exemplar : ExemplarLevel
-        Whose patches are assigned.
+        The side whose patches are assigned.
     target : TargetLevel
-        Whose patches they are assigned to.
+        The side whose patches receive an assignment.
     guide_map : (H_B, W_B) bool, optional
-        G, where means stand for a patch's guides.
+        G, the patches whose guides are compared by means.
 
     Returns
     -------
@@ -50,15 +50,15 @@ class Level:
     Parameters
     ----------
     exemplar : ExemplarLevel
-        Stays as it is: other levels may share it.
+        It is not changed: other levels may share it.
     target : TargetLevel
-        This level's own, since B' is in it.
+        Belongs to this level alone, since it holds B'.
     params : Params
 
     Attributes
     ----------
     textures : Textures
-        Ā and B̄, B' included, with their patches' moments.
+        Ā and B̄, which includes B', with the moments of their patches.
     nnf : (H_B, W_B, 2) int32
         Source patch centre of each target pixel; -1 where a mask leaves it alone.
     delta : (H_B, W_B) int64
@@ -66,8 +66,8 @@ class Level:
     proposed_nnf, proposed_delta : like ``nnf`` and ``delta``
         NNF' of the thesis.
     omega, omega_sums : (H_A, W_A) int32
-        Ω, and W: Ω summed over each patch. The search keeps the one it reads up to
-        date, W only where φ has a weight for it; ``init_occurrence_map`` makes both anew.
+        Ω, and W: Ω summed over each patch. The search updates the one that it reads, and W
+        only if its weight is not 0; ``init_occurrence_map`` computes both.
     occurrence_weight : int
         Weight of W in φ.
     moves : (1,) int64
@@ -100,14 +100,14 @@ class Level:
 
     @property
     def proposal(self) -> Proposal:
-        """What the passes that propose begin with."""
+        """The first arguments of the passes that propose."""
         return Proposal(
             self.textures, self.omega_sums, self.occurrence_weight, self.patch_width,
             self.nnf, self.delta, self.proposed_nnf, self.proposed_delta,
         )  # fmt: skip
 
     def commitment(self, stream) -> Commitment:
-        """What a commit takes, with the stream of its classes' order."""
+        """The arguments of a commit; ``stream`` decides the order of the classes."""
         return Commitment(
             self.nnf, self.delta, self.proposed_nnf, self.proposed_delta,
             self.omega_sums, self.occurrence_weight, self.patch_width, stream, self.moves,
@@ -115,15 +115,15 @@ class Level:
 
     @property
     def style(self):
-        """The synthesized style B' as it stands, (H_B, W_B, n) uint8, NumPy's."""
+        """The current synthesized style B', (H_B, W_B, n) uint8, a NumPy array."""
         return self.target.style
 
     def set_nnf(self, nnf: np.ndarray) -> None:
-        """Take assignments, (H_B, W_B, 2) int32; :meth:`init_occurrence_map` makes Ω fit."""
+        """Set the NNF, (H_B, W_B, 2) int32; call :meth:`init_occurrence_map` to update Ω."""
         self.nnf = self.passes.upload(nnf.copy())
 
     def set_style(self, image: np.ndarray) -> None:
-        """Take an image for B', and δ of the NNF with it.
+        """Set B', and compute δ of the NNF with it.
 
         Parameters
         ----------
@@ -139,13 +139,13 @@ class Level:
         self.update_similarity()
 
     def init_occurrence_map(self):
-        """InitOccurrenceMap (2.3): Ω and W of the NNF as it stands."""
+        """InitOccurrenceMap (2.3): compute Ω and W of the current NNF."""
         self.passes.occurrence_map(self.nnf, self.omega, self.omega_sums, self.patch_width)
 
     def vote(self):
-        """E-step of 2.3: B' from the NNF; then δ of the NNF with the new B'.
+        """E-step of 2.3: compute B' from the NNF, then δ of the NNF with the new B'.
 
-        A search needs :meth:`update_moments` before it.
+        Call :meth:`update_moments` before the next search.
         """
         self.passes.vote(
             self.textures.source,
@@ -159,19 +159,19 @@ class Level:
         self.update_similarity()
 
     def update_similarity(self):
-        """δ of the NNF as it stands."""
+        """Compute δ of the current NNF."""
         self.passes.similarity(self.textures, self.patch_width, self.nnf, self.delta)
 
     def update_moments(self):
-        """Moments of the target's patches with B' as it stands: the search reads them."""
+        """Compute the moments of the target's patches with the current B', for the search."""
         self.target.update_moments()
 
     def take_moves(self):
-        """Assignments that commits have changed since this was last asked."""
+        """Number of assignments that commits have changed since the last call."""
         before, self._moves_taken = self._moves_taken, int(self.passes.download(self.moves)[0])
         return self._moves_taken - before
 
     def energy(self):
-        """Mean δ and mean λρ, in the thesis' units."""
+        """Mean δ and mean λρ, in the units of the thesis."""
         delta, omega_sum = self.passes.energy(self.nnf, self.delta, self.omega_sums)
         return delta / ONE, self.occurrence_weight * omega_sum / ONE

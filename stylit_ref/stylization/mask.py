@@ -1,9 +1,9 @@
 """Target pixels that are left alone.
 
-A pixel is voted for by the patches within a radius of it, and those read style pixels
-within another radius, each again covered by one of them. So the patches that touch
-an unmasked pixel form a closed system: they alone are assigned and counted in Ω, and
-the result flows past the edge of the mask without a seam.
+The patches within a radius of a pixel vote for it. They read style pixels within another radius,
+each of which is again covered by one of them. So the patches that touch an unmasked pixel form a
+closed system: only they are assigned and counted in Ω, and the result has no seam at the edge of
+the mask.
 """
 
 import numpy as np
@@ -24,14 +24,14 @@ def active_patches(mask, patch_width):
     """
     if not mask.any():
         return ~mask
-    # Imported here: it takes as long as a third of a start.
+    # Imported late: it takes a third of the start-up time.
     from skimage.morphology import dilation, footprint_rectangle
 
     return dilation(~mask, footprint_rectangle((patch_width, patch_width)))
 
 
 def downsample_mask(synthesized):
-    """Halve a map of what is synthesized: a pixel is where any that descends from it is.
+    """Halve a map of synthesized pixels: a pixel is synthesized if any of its finer pixels is.
 
     Parameters
     ----------
@@ -48,7 +48,7 @@ def downsample_mask(synthesized):
 
 
 def fill_masked(image, mask, fill):
-    """Show ``fill`` in the masked pixels, or make them transparent.
+    """Put ``fill`` into the masked pixels, or make them transparent.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""The methods of stylization, and all that tells them apart."""
+"""The methods of stylization and their differences."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -14,18 +14,18 @@ class Method:
     ----------
     name : str
     text : str
-        What it is, in a few words.
+        A few words on the method, for help texts.
     search : callable
         ``(level, params, iterate, seed, level_number, vote)``: improves the NNF between two votes,
         a generator of :class:`stylit_ref.stylization.progress.SearchStep`.
     heeds : tuple of str
-        Fields of :class:`stylit_ref.Params` that not every method heeds, but this one does.
+        The fields of :class:`stylit_ref.Params` that this method uses and some others do not.
     has_guide_map : bool
         Whether a level has a guide map (5.2).
     schedules : tuple of str
-        How its PatchMatch may proceed (:mod:`stylit_ref.stylization.schedules`).
+        The schedules that it can run with (:mod:`stylit_ref.stylization.schedules`).
     gpu_schedules, gpu_backends : tuple of str
-        Those of them that run as CUDA kernels, and on which backends.
+        The schedules that run as CUDA kernels, and the backends that run them.
     """
 
     name: str
@@ -74,6 +74,6 @@ METHODS = {
 
 
 def heeded_by(name):
-    """Names of the methods that heed a parameter, None where all of them do."""
+    """Names of the methods that use a parameter, or None if all of them do."""
     methods = [method.name for method in METHODS.values() if name in method.heeds]
     return methods or None

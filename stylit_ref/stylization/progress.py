@@ -1,24 +1,24 @@
-"""What a run tells while it improves the NNF between two votes (the M-step of thesis 2.3)."""
+"""Progress of a run while it improves the NNF between two votes (the M-step of thesis 2.3)."""
 
 from dataclasses import dataclass
 from typing import NamedTuple
 
 
 class SearchStep(NamedTuple):
-    """Where a search stands.
+    """Progress of a search.
 
     Attributes
     ----------
     patchmatch_iteration : int
         Iterations since the vote.
     moves : int or None
-        Assignments that changed, where they are counted.
+        Number of assignments that changed; None if they are not counted.
     done : float
-        Share of the search, up to 1.
+        Share of the search that is done, up to 1.
     retrieval : int or None
         Source-to-target retrievals since the vote (``stylit``).
     fixed : float or None
-        Share of the target's patches they have fixed.
+        Share of the target's patches that the retrievals have fixed.
     """
 
     patchmatch_iteration: int
@@ -30,7 +30,7 @@ class SearchStep(NamedTuple):
 
 @dataclass(frozen=True)
 class Step:
-    """Where a run stands after a step of a search: a PatchMatch iteration, or a retrieval.
+    """Progress of a run after a step of a search: a PatchMatch iteration, or a retrieval.
 
     Attributes
     ----------
@@ -43,14 +43,14 @@ class Step:
     delta, penalization : float
         Mean δ and mean λρ over the target patches; φ is their sum.
     done : float
-        Share of the whole run's work, up to 1.
+        Share of the run's work that is done, up to 1.
     patchmatch_iteration : int
         Counted from 1 after each vote.
     moves : int or None
-        Changes of assignments (None where they are not counted).
+        Number of assignments that changed; None if they are not counted.
     retrieval : int or None
         ``stylit``: source-to-target retrievals since the vote. The last step of a vote has their
-        number.
+        total.
     fixed : float or None
         ``stylit``: share of the target patches that they have fixed since the vote.
     """

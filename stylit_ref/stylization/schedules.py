@@ -3,35 +3,34 @@
 They differ in when the occurrence map Ω changes:
 
 ``scanline``
-    Thesis 2.4: patch after patch, Ω live. Sequential, the plainest reference.
+    Thesis 2.4: one patch after another, Ω live. It is sequential, and the simplest reference.
 ``propose_commit``
-    The default and the canonical one. Each kernel of thesis 3.3 runs over the whole
-    target with Ω frozen and only *proposes*; then its proposals *commit*, and Ω follows.
-    The thesis updates Ω with atomics while its kernels run, which no two runs repeat;
-    this gives the same bytes with any number of threads.
+    The default, and the canonical one. Each kernel of thesis 3.3 runs over the whole target with Ω
+    frozen and only *proposes*; then its proposals *commit*, and Ω is updated. It gives the same
+    bytes with any number of threads. The thesis updates Ω with atomics while its kernels run, so
+    its results are not reproducible.
 
-A backend may bring a schedule of its own: those of :mod:`gpu_cuda.variants.live` are thesis 3.3, Ω
-live by atomics, no two runs alike.
+A backend may have its own schedule: those of :mod:`gpu_cuda.variants.live` follow thesis 3.3, with
+Ω live by atomics.
 
-The canonical iteration, to the last choice:
+The canonical iteration in every detail:
 
 1. Propagation at distance 4, commit; at 2, commit; at 1, commit; random search, commit.
-   Fewer distances lose usage at high λ and another order gains nothing
-   (``docs/performance.md``). One commit for all four makes proposals that build on each
-   other rush to the same unused patches, and for λ = 50000 and more the field loses
-   coherence.
-2. Propagation offers the assignments of the neighbours to the right, below, to the left
-   and above, as the kernel found them, shifted back and clamped to the source's centres.
-3. Random search offers one candidate each from the squares of radius 1, 2, 4, ... up to
-   half the larger side of the target, all around the assignment the kernel found. Its
-   stream is ``RANDOM_SEARCH``: draw ``k // 2`` of a pixel serves radius ``2**k`` with its
-   first two words if k is even, its last two if it is odd.
-4. A proposal is the candidate with the lowest φ; among equals the earlier one, the
-   assignment first.
-5. A commit takes the 16 classes ``(y mod 4, x mod 4)`` one after another, in an order
-   shuffled once an iteration (stream ``COMMIT_ORDER``) for its four commits. A pixel
-   moves if the φ of its proposal is below that of its assignment, both with W as it
-   stood when the class began; W follows when the class is done.
+   With fewer distances the style is used less evenly at high λ; another order gains nothing
+   (``docs/performance.md``). With one commit for all four, proposals build on each other and
+   rush to the same unused patches; for λ = 50000 and more the field then loses coherence.
+2. Propagation offers the assignments that the neighbours to the right, below, to the left and above
+   had when the kernel began, shifted back and clamped to the source's centres.
+3. Random search offers one candidate each from the squares of radius 1, 2, 4, ... up to half the
+   larger side of the target, all around the assignment at the kernel's beginning. Its stream is
+   ``RANDOM_SEARCH``: draw ``k // 2`` of a pixel serves radius ``2**k``, with its first two words if
+   k is even, with its last two if k is odd.
+4. A proposal is the candidate with the lowest φ; among equals the earlier one, the current
+   assignment being the first.
+5. A commit takes the 16 classes ``(y mod 4, x mod 4)`` one after another. Their order is shuffled
+   once an iteration (stream ``COMMIT_ORDER``) and serves its four commits. A pixel moves if the φ
+   of its proposal is below that of its assignment, both with W as it was when the class began. W is
+   updated when the class is done.
 """
 
 from stylit_ref.formulae.candidates import PROPAGATION_DISTANCES
@@ -70,12 +69,12 @@ def scanline(level, seed, level_number, vote, iteration):
 
 
 SCHEDULES = {"propose_commit": propose_commit, "scanline": scanline}
-"""One iteration of each, ``(level, seed, level_number, vote, iteration) -> int or None``: the
-assignments that changed, where they are counted."""
+"""One iteration of each, ``(level, seed, level_number, vote, iteration) -> int or None``: returns
+the number of assignments that changed, or None if they are not counted."""
 
 
 def search(level, params, iterate, seed, level_number, vote):
-    """PatchMatch of thesis 2.3: as many iterations as ``params`` say, from target to source.
+    """PatchMatch of thesis 2.3, from target to source, with the iterations that ``params`` names.
 
     Parameters
     ----------
@@ -83,9 +82,9 @@ def search(level, params, iterate, seed, level_number, vote):
         Its NNF, δ and W are improved.
     params : Params
     iterate : callable
-        One of :data:`SCHEDULES`, or a backend's own.
+        One of :data:`SCHEDULES`, or that of a backend.
     seed, level_number, vote : int
-        Name the random numbers.
+        They identify the random numbers.
 
     Yields
     ------

@@ -1,23 +1,24 @@
 """StyLit: source patches look for their place in the target (Fišer et al. 2016; thesis 1.5).
 
-The search between two votes, as Hauptfleisch 2020 tells it in 2.3.1, with the changes of 2.4.1:
+The search between two votes follows Hauptfleisch 2020, 2.3.1, with the changes of 2.4.1:
 
-1. Target to source: every target patch finds its closest source patch, whose error E_best
-   limits what it accepts later (α), and who keeps it if no other fixes it.
-2. Source to target, a *retrieval*: every source patch finds the closest target patch that is
-   not fixed yet, and claims it. Of all claims the error budget
-   (:mod:`stylit_ref.stylization.error_budget`) covers the closest; of two to the same patch the
-   closer wins. Their target patches are fixed.
-3. Again 2, until the share ``fixed_share`` of the target's patches is fixed, or a retrieval
-   fixes less than a thousandth of what it could: with a limit α, or with patches that no source
-   patch comes near to, more would follow that fix next to nothing.
+1. Target to source: every target patch finds its closest source patch. The error E_best of this
+   match limits the errors that the target patch accepts later (α). The match stays if no retrieval
+   fixes the patch.
+2. Source to target, a *retrieval*: every source patch finds the closest target patch that is not
+   fixed yet, and claims it. Only the closest claims count, as many as the error budget covers
+   (:mod:`stylit_ref.stylization.error_budget`); of two claims to the same patch the closer wins.
+   The target patches of these claims are fixed.
+3. Step 2 is repeated until the share ``fixed_share`` of the target's patches is fixed, or a
+   retrieval fixes less than a thousandth of what it could. The latter happens with a limit α, or if
+   no source patch is close to the remaining target patches.
 4. The vote.
 
-PatchMatch runs both ways with the same passes. For a retrieval source and target change places: A
-padded target is a texture whose patches lie whole inside it, as a source's do, and the source,
-its border of ``radius`` pixels left out, is a target that is padded already. The place of W takes a
-map of what is taken, weighed so heavily that λρ of a patch that is fixed exceeds every δ: the
-search then skips it as it skips patches that are used too often.
+PatchMatch runs both ways with the same passes. For a retrieval, source and target are swapped. The
+padded target can be a source, since its patches lie inside it. The source can be a target: its
+border of ``radius`` pixels serves as the padding. A map of taken patches replaces W. Its weight is
+so large that λρ of a fixed patch exceeds every δ, so the search skips fixed patches as it skips
+patches that are used too often.
 """
 
 import numpy as np
@@ -38,12 +39,12 @@ from stylit_ref.stylization.progress import SearchStep
 from stylit_ref.stylization.target import TargetLevel
 
 LEAST_PROGRESS = 1e-3
-"""A retrieval can fix at most as many patches as the smaller of source and target has. Another one
-follows if it fixed at least this share of them."""
+"""A retrieval can fix at most as many patches as the smaller of source and target has. If it fixes
+less than this share of that number, it is the last."""
 
 
 def search(level, params, iterate, seed, level_number, vote):
-    """One M-step of StyLit: retrievals within an error budget, and the rest from target to source.
+    """One M-step of StyLit: a search from target to source, then retrievals within an error budget.
 
     Parameters
     ----------
@@ -53,7 +54,7 @@ def search(level, params, iterate, seed, level_number, vote):
     iterate : callable
         A PatchMatch iteration of the search from target to source.
     seed, level_number, vote : int
-        Name the random numbers.
+        They identify the random numbers.
 
     Yields
     ------
@@ -89,20 +90,20 @@ def search(level, params, iterate, seed, level_number, vote):
 class Retrieval:
     """PatchMatch from source to target that skips fixed target patches.
 
-    The level's halves change places, the same memory but for the moments. NNF coordinates are
-    those of the padded target, ``radius`` more than its own.
+    Source and target of the level are swapped; they share memory with the level, except for the
+    moments. NNF coordinates are those of the padded target: ``radius`` more than the target's own.
 
     Parameters
     ----------
     level : Level
-        Voted, with the NNF and δ of a search from target to source.
+        After a vote, with the NNF and δ of a search from target to source.
     stream : tuple of 4 uint32
-        Of the random NNF that it begins with.
+        Random numbers of the random NNF that it begins with.
 
     Attributes
     ----------
     proposal : Proposal
-        What the passes take; in the place of W what is taken, ``FREE`` or ``FIXED``.
+        The arguments of the passes; W is replaced by a map of ``FREE`` and ``FIXED``.
     """
 
     def __init__(self, level, stream):
@@ -130,7 +131,7 @@ class Retrieval:
 
     @property
     def nnf(self):
-        """For each source patch a target patch, ``radius`` added to its coordinates."""
+        """The target patch of each source patch, ``radius`` added to its coordinates."""
         return self.proposal.nnf
 
     @property
@@ -140,11 +141,11 @@ class Retrieval:
 
     @property
     def taken(self):
-        """``FREE`` or ``FIXED`` of every target patch, in the place of W."""
+        """``FREE`` or ``FIXED`` for every target patch, in place of W."""
         return self.proposal.omega_sums
 
     def improve(self, stream):
-        """One PatchMatch iteration; nothing follows the moves, so all that is proposed is taken."""
+        """One PatchMatch iteration; every proposal is accepted, since the map does not change."""
         passes = self.level.passes
         for distance in PROPAGATION_DISTANCES:
             passes.propagation(*self.proposal, distance)
@@ -153,7 +154,7 @@ class Retrieval:
         self.proposal = self.proposal.accepted()
 
     def settle(self, budget, limits):
-        """Fix what the error budget covers.
+        """Fix the target patches of the claims that the error budget covers.
 
         Parameters
         ----------

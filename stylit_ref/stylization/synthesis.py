@@ -1,4 +1,4 @@
-"""Texture optimization, coarse to fine, that can be entered at every step (thesis 2.3, 3.4)."""
+"""Texture optimization, coarse to fine, which a caller can drive step by step (thesis 2.3, 3.4)."""
 
 from collections.abc import Iterator
 
@@ -18,9 +18,9 @@ from stylit_ref.stylization.target import Target
 class Synthesis:
     """TextureOptimization of thesis 2.3 and GPU_TextureOptimization of 3.4, step by step.
 
-    It comes from :func:`stylit_ref.stylization.problem.make_synthesis`, or from an exemplar and a
-    target of ``make_exemplar`` and ``make_target`` there. A whole run is :meth:`finish`;
-    :meth:`run` tells its steps; and in smaller ones it is::
+    Make it with :func:`stylit_ref.stylization.problem.make_synthesis`, or from an exemplar and a
+    target of ``make_exemplar`` and ``make_target`` there. :meth:`finish` does a whole run;
+    :meth:`run` does the same and yields its steps. In smaller steps a run is::
 
         for number in synthesis.level_numbers:
             synthesis.begin_level(number)
@@ -31,9 +31,8 @@ class Synthesis:
             synthesis.end_level()
         picture, nnf = synthesis.level.style, synthesis.level.nnf
 
-    Between two steps a caller may look at :attr:`level`, change its B' (a coherent sequence does),
-    or stop for good. The NNF of a level is all that a later run needs to go on from there
-    (:meth:`begin_level`).
+    Between two steps a caller may read :attr:`level`, change its B' (as a coherent sequence does),
+    or stop. To continue later, a run needs only the NNF of the level (:meth:`begin_level`).
 
     Parameters
     ----------
@@ -44,14 +43,14 @@ class Synthesis:
     params : Params
     seed : int
     iterate : callable, optional
-        A PatchMatch iteration in the place of that of ``params.schedule``.
+        A PatchMatch iteration that replaces that of ``params.schedule``.
 
     Attributes
     ----------
     level : Level or None
-        That has been begun last.
+        The level that was begun last.
     level_number, vote_number : int
-        Its number, 1 the coarsest, and the votes since it began; 0 before.
+        Its number, 1 the coarsest, and the votes since it began; 0 before the first level.
 
     Raises
     ------
@@ -74,31 +73,31 @@ class Synthesis:
 
     @property
     def level_numbers(self) -> range:
-        """Numbers of all levels: random streams count them from 1, the coarsest."""
+        """Numbers of all levels, from 1, the coarsest; random streams use them."""
         return range(1, self.params.levels + 1)
 
     @property
     def votes(self) -> int:
-        """Search-vote iterations of the level that has been begun; one more vote ends it."""
+        """Search-vote iterations of the current level; one more vote ends it."""
         return self._votes(self.level_number)
 
     @property
     def depth(self) -> int:
-        """Levels that are still finer: exemplar and target count from 0, the finest."""
+        """Number of finer levels; exemplar and target count levels this way, from 0, the finest."""
         return self._depth(self.level_number)
 
     def begin_level(self, number: int, nnf: np.ndarray | None = None, votes: int = 0) -> Level:
-        """Begin a level: the coarsest with a random NNF, another one with that of the level before.
+        """Begin a level: the coarsest with a random NNF, others with the NNF of the level before.
 
-        The thesis also upsamples B'; the vote that opens a level overwrites it before anything
-        reads it.
+        The thesis also upsamples B'. That has no effect, since the first vote of a level overwrites
+        it.
 
         Parameters
         ----------
         number : int
-            1 the coarsest. The level before must have been begun last, unless there is an NNF.
+            1 is the coarsest. Unless ``nnf`` is given, the level before must have been begun last.
         nnf : (H_B, W_B, 2) int32, optional
-            Assignments of this level to begin with, as a run had them that was left here.
+            Assignments to begin with, from an earlier run of this level.
         votes : int
             How many votes they have seen.
 
@@ -109,14 +108,14 @@ class Synthesis:
         Raises
         ------
         InputError
-            If there is no such level, the level before is missing, or the NNF is none of this one.
+            If there is no such level, the level before is missing, or the NNF does not fit.
         """
         if number not in self.level_numbers:
             raise InputError(f"there is no level {number}; levels are 1 to {self.params.levels}")
         if nnf is None and number not in (1, self.level_number + 1):
             raise InputError(
                 f"level {number} begins with the NNF of level {number - 1}, but the run is at "
-                f"level {self.level_number}; give the NNF, or begin that level"
+                f"level {self.level_number}; begin level {number - 1} first, or give the NNF"
             )
         coarse_nnf = self.level.nnf if number > 1 and nnf is None else None
         self.level = None  # makes room for the next
@@ -136,12 +135,12 @@ class Synthesis:
         return level
 
     def vote(self) -> None:
-        """E-step: B' from the NNF."""
+        """E-step: compute B' from the NNF."""
         self._begun().vote()
         self.vote_number += 1
 
     def search(self) -> Iterator[Step]:
-        """M-step: improve the NNF for B' as it stands.
+        """M-step: improve the NNF for the current B'.
 
         Yields
         ------
@@ -172,14 +171,14 @@ class Synthesis:
             )
 
     def end_level(self) -> Level:
-        """The last vote of a level, and Ω and W that belong to its NNF."""
+        """Do the last vote of a level, and compute Ω and W of its NNF."""
         level = self._begun()
         level.vote()
         level.init_occurrence_map()
         return level
 
     def run_level(self, number: int) -> Iterator[Step]:
-        """A level from beginning to end; :attr:`level` is finished when the generator is."""
+        """Run a level from beginning to end; :attr:`level` is finished when the generator ends."""
         self.begin_level(number)
         for _ in range(self.votes):
             self.vote()
@@ -187,7 +186,7 @@ class Synthesis:
         self.end_level()
 
     def run(self) -> Iterator[Step]:
-        """All levels; :attr:`level` is the finest and finished when the generator is."""
+        """Run all levels; when the generator ends, :attr:`level` is the finest, and finished."""
         for number in self.level_numbers:
             yield from self.run_level(number)
 
@@ -209,7 +208,7 @@ class Synthesis:
         return self.params.votes_above(self._depth(number))
 
     def _done(self, share):
-        """Share of the whole run's work when so much of a search is done."""
+        """Share of the whole run's work when this share of the current search is done."""
         before, work = self._work[: self.level_number - 1], self._work[self.level_number - 1]
         searches = (self.vote_number - 1 + share) / self.votes
         return (sum(before) + searches * work) / sum(self._work)

@@ -1,4 +1,4 @@
-"""What belongs to the target of a stylization, and may serve several exemplars and runs."""
+"""The target of a stylization, which may serve several exemplars and runs."""
 
 from functools import cached_property
 from types import ModuleType
@@ -11,7 +11,7 @@ from stylit_ref.stylization.mask import downsample_mask
 
 
 class TargetLevel:
-    """One level of a target as one run has it: its B' is written here.
+    """One level of a target for one run, which writes its B' here.
 
     Parameters
     ----------
@@ -19,7 +19,7 @@ class TargetLevel:
     packing : Packing
     patch_width : int
     texture : (H_B + 2 radius, W_B + 2 radius, C) uint8
-        B̄, where the passes have it, its edge pixels repeated ``radius`` times.
+        B̄ in the memory of the passes, its edge pixels repeated ``radius`` times.
     synthesized : (H_B, W_B) bool, optional
         Pixels whose patches take part; all by default.
     """
@@ -37,7 +37,7 @@ class TargetLevel:
 
     @cached_property
     def moments(self):
-        """Moments of every patch, (H_B, W_B, moments) int16, with B' as it was when last asked."""
+        """Moments of every patch, (H_B, W_B, moments) int16, as of the last update."""
         moments = self.passes.moments_storage(*self.size, len(self.packing.moments))
         self.passes.patch_moments(
             self.texture, moments, self.patch_width, 0,
@@ -46,7 +46,7 @@ class TargetLevel:
         return moments
 
     def update_moments(self):
-        """Bring the moments up to date with B'."""
+        """Compute the moments with the current B'."""
         self.passes.patch_moments(
             self.texture, self.moments, self.patch_width, 0,
             self.packing.style_channel, self.packing.style_channels, style_only=True,
@@ -54,14 +54,14 @@ class TargetLevel:
 
     @cached_property
     def guide_sums(self):
-        """M_B times w² (5.2.2): the guides' sums over each patch, (H_B, W_B, n) integers."""
+        """M_B times w² (5.2.2): the sums of the guides over each patch, (H_B, W_B, n) integers."""
         shape = *self.size, self.packing.style_channel
         sums = self.passes.zeros(shape, sums_dtype(self.patch_width))
         self.passes.means(self.texture, sums, self.patch_width, 0)
         return sums
 
     def make_guide_map(self, epsilon):
-        """G at an ε (Evaluate_Map, 5.2.2), (H_B, W_B) bool."""
+        """Compute G for an ε (Evaluate_Map, 5.2.2), (H_B, W_B) bool."""
         white = self.passes.zeros(self.size, np.bool_)
         self.passes.guide_map(
             self.texture, self.guide_sums, self.weights, self.patch_width, epsilon, white
@@ -70,13 +70,13 @@ class TargetLevel:
 
     @property
     def style(self):
-        """B' as it stands, (H_B, W_B, n) uint8, NumPy's."""
+        """The current B', (H_B, W_B, n) uint8, a NumPy array."""
         radius = self.patch_width // 2
         texture = self.passes.download(self.texture)
         return self.packing.style(texture)[radius:-radius, radius:-radius]
 
     def set_style(self, image):
-        """Take an image, (H_B, W_B, n) uint8, for B'."""
+        """Set B' to an image, (H_B, W_B, n) uint8."""
         radius = self.patch_width // 2
         texture = self.passes.download(self.texture)
         edges = (radius, radius), (radius, radius), (0, 0)
@@ -96,7 +96,7 @@ class Target:
     packing : Packing
     patch_width : int
     texture : (H_B, W_B, C) uint8
-        Packed texture B̄ of the finest level, NumPy's. Its style is B' until the first vote.
+        Packed texture B̄ of the finest level, a NumPy array. Its style is B' until the first vote.
     synthesized : (H_B, W_B) bool, optional
         Pixels whose patches take part (:func:`stylit_ref.stylization.mask.active_patches`); all by
         default.
@@ -127,7 +127,7 @@ class Target:
         return self._synthesized[depth]
 
     def level(self, depth: int) -> TargetLevel:
-        """The level so many halvings below the finest (thesis 3.4), for one run to write into."""
+        """The level that is ``depth`` halvings below the finest (thesis 3.4), for one run only."""
         while len(self._textures) <= depth:
             self._textures.append(self.passes.downsample(self._textures[-1]))
         radius = self.patch_width // 2

@@ -91,26 +91,26 @@ def test_targets_are_views_that_no_style_was_painted_over(folder):
 
 def test_a_changed_file_is_noticed(folder):
     (folder / "teapot" / "FULL.png").write_bytes(b"other")
-    with pytest.raises(DataError, match=r"FULL\.png: differs from what manifest\.json says"):
+    with pytest.raises(DataError, match=r"FULL\.png: differs from manifest\.json"):
         Manifest.read(folder).path("teapot/FULL.png")
     assert not Manifest.read(folder).complete("teapot")
 
 
 def test_a_missing_file_is_noticed(folder):
     (folder / "teapot" / "FULL.png").unlink()
-    with pytest.raises(DataError, match=r"FULL\.png: is missing, though manifest\.json lists it"):
+    with pytest.raises(DataError, match=r"FULL\.png: is missing; render it again with 'make data'"):
         Manifest.read(folder).path("teapot/FULL.png")
 
 
 def test_an_unknown_file_is_named(folder):
-    with pytest.raises(DataError, match=r"knows no golem/FULL\.png"):
+    with pytest.raises(DataError, match=r"does not list golem/FULL\.png"):
         Manifest.read(folder).path("golem/FULL.png")
 
 
 @pytest.mark.parametrize("content", ["", "[]", json.dumps({"pieces": {}})])
 def test_a_broken_manifest_is_refused(tmp_path, content):
     (tmp_path / "manifest.json").write_text(content)
-    with pytest.raises(DataError, match="is no manifest of rendered data"):
+    with pytest.raises(DataError, match="is not a manifest of rendered data"):
         Manifest.read(tmp_path)
 
 

@@ -1,4 +1,4 @@
-"""What is said where the renderer is missing."""
+"""The messages if the renderer is missing."""
 
 import os
 import subprocess
@@ -88,11 +88,11 @@ def test_a_library_that_is_none_is_named(tmp_path):
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["--size", "300"], "300 is no size"),
+        (["--size", "300"], "is 300; it must be WIDTHxHEIGHT"),
         (["--size", "8x8"], "16 to 8192"),
-        (["--scenes", "teapot,bunny"], "no scene bunny"),
-        (["--samples", "0"], "must be a square"),
-        (["--samples", "50"], "must be a square"),
+        (["--scenes", "teapot,bunny"], "there is no scene bunny; choose from"),
+        (["--samples", "0"], "must be a square number"),
+        (["--samples", "50"], "must be a square number"),
     ],
 )
 def test_bad_arguments(capsys, arguments, message):

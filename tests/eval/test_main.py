@@ -1,4 +1,4 @@
-"""What ``python -m eval`` refuses."""
+"""Input that ``python -m eval`` refuses."""
 
 import sys
 
@@ -11,9 +11,9 @@ from eval.__main__ import main
     ("arguments", "message"),
     [
         (["stylit", "--scene", "none"], "none: is neither a folder nor TARGET/STYLE of"),
-        (["stylit", "--scene", "."], "is no scene"),
-        (["stylit", "--scene", "small", "--step", "0"], "step is 0"),
-        (["spilling", "--scene", "small"], "small: is no scene of a data set"),
+        (["stylit", "--scene", "."], "is not a scene"),
+        (["stylit", "--scene", "small", "--step", "0"], "--step is 0"),
+        (["spilling", "--scene", "small"], "small: has no IDMASK"),
         (["bench", "--scene", "small", "--ebsynth", "./none"], "./none: is not a program"),
     ],
     ids=lambda value: value[0] if isinstance(value, list) else "",
@@ -45,8 +45,8 @@ def test_an_option_of_another_report_is_refused(capsys, arguments):
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["--scene", "small", "--targets", "golem"], "--targets is for a preset"),
-        (["--style", "oil.png"], "--style is for a scene of yours"),
+        (["--scene", "small", "--targets", "golem"], "--targets cannot be used with --scene"),
+        (["--style", "oil.png"], "--style needs --scene"),
     ],
     ids=["preset", "scene"],
 )

@@ -52,6 +52,6 @@ def test_a_damaged_data_set_is_refused(tmp_path):
     data = tmp_path / "data"
     shutil.copytree(BUNDLED, data, ignore=shutil.ignore_patterns("house"))
     (data / "golem" / "LDE.png").write_bytes((data / "golem" / "FULL.png").read_bytes())
-    with pytest.raises(InputError, match=r"LDE\.png: differs from what manifest\.json says"):
+    with pytest.raises(InputError, match=r"LDE\.png: differs from manifest\.json"):
         load_scene("golem/oil", data)
     assert load_scene("teapot/oil", data).size == "300x228"

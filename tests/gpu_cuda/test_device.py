@@ -1,4 +1,4 @@
-"""What the kernels' room asks of the process."""
+"""Kernels change no setting of the process."""
 
 import subprocess
 import sys

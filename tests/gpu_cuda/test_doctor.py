@@ -1,4 +1,4 @@
-"""What the doctor says of drivers and devices that are not here."""
+"""The doctor's report on drivers and devices, which are simulated."""
 
 from types import SimpleNamespace
 
@@ -8,7 +8,7 @@ from gpu_cuda.host import doctor
 
 
 def machine(driver=(13, 0), capability=(9, 0), context=lambda: None, nvvm=lambda: None):
-    """As much of ``numba.cuda`` as the doctor looks at."""
+    """A stand-in for the parts of ``numba.cuda`` that the doctor uses."""
     version = SimpleNamespace(get_version=lambda: driver)
     return SimpleNamespace(
         cudadrv=SimpleNamespace(
@@ -33,8 +33,8 @@ def no_driver():
     ("found", "said"),
     [
         (machine(), None),
-        (machine(driver=(12, 8)), "the NVIDIA driver is of CUDA 12.8 and 13.0 is needed"),
-        (machine(capability=(3, 0)), "GTX 660 has compute capability 3.0 and 7.5 is needed"),
+        (machine(driver=(12, 8)), "the NVIDIA driver supports CUDA 12.8, but 13.0 is needed"),
+        (machine(capability=(3, 0)), "GTX 660 has compute capability 3.0, but 7.5 is needed"),
         (machine(nvvm=no_compiler), "libNVVM cannot be found (pip install"),
         (machine(context=no_driver), "init: no CUDA-capable device is detected (pip install"),
     ],

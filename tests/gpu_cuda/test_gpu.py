@@ -1,4 +1,4 @@
-"""What only a GPU can show: whole sizes, the thesis' blocks, and memory that is really shared."""
+"""Tests that need a GPU: full sizes, the thesis' blocks, and real shared memory."""
 
 import shutil
 import subprocess

@@ -1,4 +1,4 @@
-"""The thesis' own kernels, Ω live by atomics: what must hold whichever thread comes first."""
+"""The thesis' own kernels, Ω live by atomics: invariants that hold in any order of threads."""
 
 import numpy as np
 import pytest

@@ -97,11 +97,13 @@ def test_a_full_device_is_one_sentence(monkeypatch):
     monkeypatch.setattr("gpu_cuda.host.memory.cuda.device_array", refuse)
     monkeypatch.setattr("gpu_cuda.host.memory.cuda.to_device", refuse)
     monkeypatch.setattr("gpu_cuda.host.memory.cuda.current_context", Context)
-    with pytest.raises(InputError, match=r"the GPU has 3 of 100 MiB free and needs \d+ more"):
+    with pytest.raises(
+        InputError, match=r"the GPU has 3 of 100 MiB free, but these images need \d+ MiB more"
+    ):
         stylize(*small_scene(**SCENE), Params(**QUICK), backend="cuda")
 
 
 def test_a_missing_gpu_is_one_sentence(monkeypatch):
     monkeypatch.setattr(doctor, "missing", lambda: "there is no GPU that CUDA can use: none")
-    with pytest.raises(InputError, match="backend is 'cuda' but there is no GPU"):
+    with pytest.raises(InputError, match="backend is 'cuda', but there is no GPU"):
         stylize(*small_scene(**SCENE), Params(**QUICK), backend="cuda")

@@ -1,4 +1,4 @@
-"""Commands in a folder of small images: refused in one sentence, or accepted."""
+"""Run commands in a folder of small images: they are refused in one sentence, or accepted."""
 
 import io
 import os
@@ -12,7 +12,7 @@ QUICK = ["--pyramid-levels", "2", "--search-vote-iters", "1", "--patchmatch-iter
 
 
 def run(*more):
-    """Arguments of a quick ``run`` in the working directory; a later flag replaces an earlier."""
+    """Arguments of a quick ``run`` in the working directory; ``more`` may replace some of them."""
     guides = [["--guide", f"source_{k}.png", f"target_{k}.png"] for k in range(2)]
     return ["run", "--style", "style.png", "--output", "out.png", *guides[0], *guides[1], *QUICK,
             *more]  # fmt: skip
@@ -25,7 +25,7 @@ def replay(content):
 
 
 def contents(folder):
-    """Every file's name and bytes, links as such."""
+    """Every file's name and bytes; of a link, the path it leads to."""
     return {
         path: os.readlink(path) if path.is_symlink() else path.is_file() and path.read_bytes()
         for path in folder.rglob("*")

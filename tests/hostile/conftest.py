@@ -1,4 +1,4 @@
-"""A folder with everything that a command needs, which is the working directory."""
+"""A working directory with all files that a command needs."""
 
 import numpy as np
 import pytest

@@ -1,10 +1,10 @@
-"""Generated cases: how many of each property, always the same ones."""
+"""Generate test cases: a fixed number for each property, the same in every run."""
 
 from hypothesis import HealthCheck, given, settings
 
 
 def generated(cases, **strategies):
-    """Run a test on so many generated cases, the same in every run."""
+    """Run a test on this number of generated cases, the same in every run."""
     fixed = settings(
         max_examples=cases,
         derandomize=True,

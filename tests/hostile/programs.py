@@ -1,4 +1,4 @@
-"""Programs of the checkout at work in a folder, and signals to them."""
+"""Start programs of the checkout in a folder, and send them signals."""
 
 import os
 import resource
@@ -14,7 +14,7 @@ CHECKOUT = Path(__file__).parents[2]
 
 @contextmanager
 def started(module, *arguments, folder, largest_file=None, **environment):
-    """Start ``python -m module`` in a folder; it has ended when the block ends.
+    """Start ``python -m module`` in a folder; the end of the block ends it.
 
     Parameters
     ----------
@@ -44,10 +44,10 @@ def started(module, *arguments, folder, largest_file=None, **environment):
 
 
 def done(process):
-    """Exit code, as a shell has it, and stderr.
+    """Exit code as a shell reports it, and stderr.
 
-    Where Ctrl-C strikes inside an exec, as when Numba makes a function of text, ``python -m`` ends
-    by the signal, though the exception was caught.
+    If Ctrl-C strikes inside an exec, which Numba uses to make functions from text, ``python -m``
+    ends by the signal although the exception was caught.
     """
     _, said = process.communicate(timeout=500)
     code = process.returncode
@@ -55,7 +55,7 @@ def done(process):
 
 
 def wait_for(condition, process):
-    """Wait until something is so that a program at work brings about."""
+    """Wait until a running program has made the condition true."""
     limit = time.monotonic() + 300
     while not condition():
         assert process.poll() is None, process.communicate()

@@ -1,4 +1,4 @@
-"""Disks that take a part of a file: no broken file is left."""
+"""Disks that become full while a file is written: no broken file is left."""
 
 import os
 import resource
@@ -18,7 +18,7 @@ from stylit_ref import write_image
 
 @contextmanager
 def largest_file(size):
-    """Writing a file fails after so many bytes, as on a full disk that said it had room."""
+    """Let writing a file fail after this number of bytes, as on a disk that becomes full."""
     soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (size, hard))
     try:
@@ -29,9 +29,9 @@ def largest_file(size):
 
 @pytest.mark.parametrize("suffix", ["png", "tif", "exr", "bmp", "tga"])
 def test_a_file_that_cannot_be_finished_is_not_there(folder, suffix):
-    """Some libraries write a broken file without a word.
+    """Some libraries write a broken file and report no error.
 
-    Not of JPEG and WebP: there libraries end the process, or try for ever.
+    JPEG and WebP are left out: their libraries end the process, or try for ever.
     """
     rng = np.random.default_rng(0)
     write_image("style.png", rng.integers(0, 256, (50, 60, 3), dtype=np.uint8))

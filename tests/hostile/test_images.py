@@ -1,4 +1,4 @@
-"""Hostile images: damaged ones, those that declare too much, and those memory has no room for."""
+"""Hostile images: damaged files, files that declare huge sizes, images too large for memory."""
 
 import json
 import os
@@ -133,7 +133,7 @@ def test_a_tiff_named_png_is_read_as_the_tiff_that_it_is(folder):
 
 @pytest.mark.parametrize("suffix", ["png", "tif", "exr", "jpg"])
 def test_no_part_of_an_image_is_an_image(folder, suffix):
-    """But for the last bytes of some formats, behind all pixels."""
+    """Except for the last bytes of some formats, which come after all pixels."""
     file = style_as(suffix)
     content, image = file.read_bytes(), read_image(file)
     for length in range(0, len(content), max(1, len(content) // 60)):
@@ -146,7 +146,7 @@ def test_no_part_of_an_image_is_an_image(folder, suffix):
         np.testing.assert_array_equal(read, image)
 
 
-# Memory. Not by getrusage: a process begins with the peak of the one that started it.
+# Memory. getrusage does not help: a process begins with the peak of its parent.
 
 _PEAK = """
 import re
@@ -171,7 +171,7 @@ print(json.dumps([refused, peak() - before]))
 @NEEDS_PROC
 @pytest.mark.slow
 def test_huge_images_are_refused_before_memory_is_taken(folder):
-    """The smallest of them would take 900 MB; 32 are allowed, for the library's own pages."""
+    """The smallest image would take 900 MB; 32 MB are allowed for the library itself."""
     files = []
     for number, (suffix, content, _) in enumerate(BOMBS.values()):
         files.append(f"{number}.{suffix}")
@@ -198,7 +198,7 @@ print(peak() - before)
     [("png", "uint8", 2), ("tif", "uint16", 2), ("exr", "float32", 2), ("pfm", "float32", 3)],
 )
 def test_reading_takes_two_to_three_times_the_memory_of_the_image(tmp_path, suffix, dtype, times):
-    """As is said of LARGEST_IMAGE; a quarter is allowed for the library's own pages."""
+    """The docstring of LARGEST_IMAGE says so; a quarter more is allowed for the library itself."""
     file = tmp_path / f"a.{suffix}"
     image = np.random.default_rng(0).integers(0, 2, (2500, 2500, 3)).astype(dtype)
     write_image(file, image)

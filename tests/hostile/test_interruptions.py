@@ -1,4 +1,4 @@
-"""Signals in the middle of the work: nothing half-written, and it goes on."""
+"""Signals during the work: nothing is left half-written, and the work can be resumed."""
 
 import signal
 from contextlib import suppress
@@ -45,7 +45,7 @@ def command(scene, *more):
 @pytest.mark.slow
 @pytest.mark.parametrize("which", ["SIGINT", "SIGTERM", "SIGKILL"])
 def test_run_is_stopped(scene, tmp_path, which):
-    """What was saved is whole, nothing else is there, and the next run makes its output."""
+    """Saved files are complete, no other file is left, and the next run makes its output."""
     call = command(scene, *LONG, "--save-levels", "levels")
     with started(*call, folder=tmp_path) as process:
         wait_for((tmp_path / "levels" / "level_1.png").exists, process)
@@ -68,7 +68,7 @@ def test_run_is_stopped(scene, tmp_path, which):
 @pytest.mark.parametrize("which", ["SIGINT", "SIGTERM"])
 @pytest.mark.parametrize("kernels", [1, 3])
 def test_run_is_stopped_while_it_compiles(scene, tmp_path, which, kernels):
-    """A signal that strikes where the compiler calls back is not lost, nor does it crash."""
+    """A signal during a callback of the compiler is not lost and causes no crash."""
     cache = tmp_path / "kernels"
     call = command(scene, *LONG)
     with started(*call, folder=tmp_path, NUMBA_CACHE_DIR=str(cache)) as process:
@@ -80,7 +80,7 @@ def test_run_is_stopped_while_it_compiles(scene, tmp_path, which, kernels):
 
 @pytest.mark.slow
 def test_eval_goes_on(tmp_path):
-    """Finished runs are kept and not computed again; a report that cannot be written is not."""
+    """Finished runs are kept and not computed again; an unfinished report is not kept."""
     report = tmp_path / "report"
 
     def results():
@@ -115,7 +115,7 @@ def test_eval_goes_on(tmp_path):
 
 
 def made_anew(path, before):
-    """Whether it is there, and not the one that a killed process left."""
+    """Whether the file exists and is not the one that a killed process left."""
     with suppress(FileNotFoundError):
         found = path.stat()
         return before is None or found.st_mtime_ns != before.st_mtime_ns

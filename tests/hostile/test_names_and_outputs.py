@@ -1,4 +1,4 @@
-"""Hostile names, links, pipes and folders: a sentence and code 2, or what a user expects."""
+"""Hostile names, links, pipes and folders: one sentence and code 2, or the expected result."""
 
 import os
 from pathlib import Path
@@ -15,7 +15,7 @@ def made(name="out.png"):
     assert read_image(name).shape == (11, 14, 3)
 
 
-# Names of what is read
+# Names of inputs
 
 
 def test_a_missing_image():
@@ -66,7 +66,7 @@ def test_an_option_that_would_act_on_the_terminal():
     refused(run("--a\rb\x07"), "unrecognized arguments: --a b� …")
 
 
-# Names of what is written
+# Names of outputs
 
 
 def test_a_name_that_begins_with_a_dash():
@@ -135,7 +135,7 @@ def test_an_output_that_is_a_link_to_itself():
     )
 
 
-# Outputs that would overwrite
+# Outputs that would overwrite other files
 
 
 def test_an_output_that_is_the_style():

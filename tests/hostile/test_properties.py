@@ -1,4 +1,4 @@
-"""Whatever comes in: a result that keeps its promises, or one sentence that names what is wrong."""
+"""Any input gives a result with the promised properties, or one sentence that names the fault."""
 
 import io
 import json
@@ -32,7 +32,7 @@ DTYPES = ("uint8", "uint16", "int16", "int32", "float32", "float64", "bool", "ob
 
 
 def refusal(call, *arguments, **options):
-    """The result and no sentence; or no result and the one sentence of the refusal.
+    """Call a function: returns (result, None), or (None, sentence) if the input is refused.
 
     There are no warnings: the library's own notes are records of its logger.
     """
@@ -111,7 +111,7 @@ def test_parameters_in_range_are_taken(values):
 
 
 def as_plain_numbers(params):
-    """What the store and the kernels tell apart by is what was meant, not NumPy's or a fraction."""
+    """Parameters are plain numbers, so that equal ones have the same key in store and kernels."""
     text = json.dumps(asdict(params), allow_nan=False)
     assert Params(**json.loads(text)) == params
     for name in ("patch_width", "levels", "patchmatch_iterations", "vote_outliers"):
@@ -124,7 +124,7 @@ def as_plain_numbers(params):
 
 
 class PassedError(Exception):
-    """What comes in has passed the door."""
+    """The input has passed all checks."""
 
 
 @pytest.fixture
@@ -173,7 +173,7 @@ def fits(style, source, target, patch_width):
 
 @st.composite
 def scenes(draw):
-    """A style and guides, mostly of one size, one of them of any kind."""
+    """A style and guides, mostly of one size; one of them may be any array."""
     width = draw(st.sampled_from([3, 5, 7]))
     size = st.tuples(*[st.sampled_from([0, 1, width - 1, width, width + 1, 11])] * 2)
     source_size, target_size, channels = draw(size), draw(size), draw(st.integers(0, 5))
@@ -230,7 +230,7 @@ def test_masks_seeds_and_threads_pass_the_door_if_they_fit(door, mask, fill, see
         assert good_seed
         assert good_threads
     else:
-        most = "this machine offers" in sentence  # how many threads is no business of the test
+        most = "this machine offers" in sentence  # the number of threads depends on the machine
         assert most or not (good_mask and good_fill and good_seed and good_threads)
         assert any(word in sentence for word in ("mask", "fill", "seed", "threads"))
 

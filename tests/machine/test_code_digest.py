@@ -1,4 +1,4 @@
-"""What the digest of code depends on: all that is imported, and nothing else."""
+"""The digest of code depends on all imported files and on nothing else."""
 
 import subprocess
 import sys
@@ -13,7 +13,7 @@ LIBRARY = Path(stylit_ref.__file__).parent
 
 
 def names(*roots):
-    """Files that count, relative to the library."""
+    """The files that count, relative to the library."""
     files = imported_files(*roots)
     return {str(file.relative_to(LIBRARY)) for file in files if LIBRARY in file.parents}
 

@@ -5,7 +5,7 @@ from pathlib import Path
 
 
 def ends(process):
-    """Whether a process that was killed ends soon; one that only waits to be collected has."""
+    """Whether a killed process ends soon; a zombie counts as ended."""
     for _ in range(50):
         try:
             state = Path(f"/proc/{process}/stat").read_text(encoding="utf-8")

@@ -1,4 +1,4 @@
-"""What differs is named, and what is within its tolerance does not."""
+"""Differences are named; values within their tolerance do not differ."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""A system of its own is three rows, and files of its own."""
+"""To add a system takes three rows in tables, and files of its own."""
 
 import os
 import shutil
@@ -25,7 +25,7 @@ ROWS = {
         'from oracle.make.made_up import made_up_cases\n\nMAKERS = {"made_up": made_up_cases, ',
     ),
 }
-"""Of a family in existing files."""
+"""The rows of a new family in existing files."""
 
 OWN = {
     "oracle/stages/made_up.py": """

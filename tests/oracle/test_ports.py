@@ -92,7 +92,7 @@ def test_a_program_says_by_its_exit_code_that_it_does_not_do_a_stage(tmp_path):
 
 @pytest.mark.slow
 def test_a_program_has_so_long_and_no_heir(tmp_path, capsys):
-    """What it starts ends with it."""
+    """Processes that a program started end with it."""
     port = tmp_path / "port.py"
     port.write_text(
         "import pathlib, subprocess, sys, time\n"
@@ -143,8 +143,8 @@ class Raised(Exception):  # noqa: N818
 @pytest.mark.parametrize(
     ("answer", "said"),
     [
-        (None, "run_case returned NoneType; it must be a dict of arrays"),
-        ([[1], [2, 3]], "run_case returned list; it must be a dict of arrays"),
+        (None, "run_case returned NoneType; it must return a dict of arrays"),
+        ([[1], [2, 3]], "run_case returned list; it must return a dict of arrays"),
         ({"order": [[1], [2, 3]]}, "ValueError: setting an array element"),
         (SystemExit(0), "SystemExit: 0"),
         (Raised("\udc80"), r"Raised: \udc80"),

@@ -1,4 +1,4 @@
-"""What SPEC.md says of files and of random numbers is so."""
+"""SPEC.md is right about files and random numbers."""
 
 import re
 

@@ -1,4 +1,4 @@
-"""Every stage: done by the library and by the naive port, and checked where it is offered."""
+"""Every stage: the library and the naive port pass it, and it is checked if a port offers it."""
 
 import os
 import re

@@ -1,4 +1,4 @@
-"""The vectors: what they hold, what the text says of them, and what the library makes of them."""
+"""The vectors: their contents, their description, and the library's results for them."""
 
 import re
 from fnmatch import fnmatchcase

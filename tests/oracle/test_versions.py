@@ -58,7 +58,7 @@ def test_published_cases_are_not_made_again(capsys):
 def test_a_version_begins_with_its_schema(tmp_path, capsys, monkeypatch):
     monkeypatch.setattr("oracle.make.folder_of", lambda version: tmp_path / version)
     assert main(["make"]) == 2
-    assert f"{tmp_path / NEWEST} needs its case.schema.json" in capsys.readouterr().err
+    assert f"{tmp_path / NEWEST}: case.schema.json is missing" in capsys.readouterr().err
 
 
 TWO_VERSIONS = """

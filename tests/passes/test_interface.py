@@ -1,7 +1,7 @@
-"""The interface of ports: a module of passes in another language is called by these names.
+"""The interface of ports: the library calls foreign modules of passes by these names.
 
-A change here breaks every foreign module of passes. Parameter names count too: callers may use
-them as keywords.
+A change here breaks every such module. Parameter names count too: callers may use them as
+keywords.
 """
 
 import inspect

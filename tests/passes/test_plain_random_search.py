@@ -1,6 +1,6 @@
 """The fast random search and the plain one find the same.
 
-They share the formulae and δ; ``test_proposals.py`` holds the fast one to a reading of its own.
+They share the formulae and δ; ``test_proposals.py`` checks the fast one independently.
 """
 
 import numpy as np

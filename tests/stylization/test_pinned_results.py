@@ -1,7 +1,7 @@
 """The bytes of both schedules, on 100x76 pixels of a golem in crayon (``pinned_scene.npz``).
 
-Computed before the first speed-up and kept by every one since. Whoever changes one of
-them has changed the schedule, not its speed: say so, and measure the new one.
+They were computed before the first speed-up, and every one since has kept them. A change that
+alters one of them changes the schedule, not its speed: say so, and measure the new schedule.
 """
 
 import hashlib

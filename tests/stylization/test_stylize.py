@@ -428,7 +428,7 @@ def test_a_preset_that_is_not_there(name):
         ({"uniformity": 1e305}, r"uniformity is 1e\+305"),
         ({"guide_influence": float("inf")}, "guide_influence is inf"),
         ({"guide_weights": (1.0, -2.0)}, "guide weight 2 is -2.0"),
-        ({"guide_weights": 1.0}, "must be a sequence"),
+        ({"guide_weights": 1.0}, "must be a list of numbers"),
         ({"schedule": "random"}, "'random'"),
         ({"method": "magic"}, "'ref', 'guide_map' or 'stylit'"),
         ({"method": "stylit", "schedule": "scanline"}, "for method 'ref' alone"),

@@ -1,8 +1,8 @@
-"""What the thesis says of its results (3.2, 4.3, 5.1.3, 5.2.4), tested against our numbers.
+"""The claims of the thesis about its results (3.2, 4.3, 5.1.3, 5.2.4), tested on our numbers.
 
-Each test names its rule before its figures: a claim held, did not hold, or cannot be judged with
-what was measured. Targets vote where they differ; where seeds were run, a difference smaller than
-their spread is none.
+Each test states its rule, then its figures. The verdict is that a claim held, did not hold, or
+cannot be judged with what was measured. If targets disagree, the majority decides. If several
+seeds were run, a difference smaller than their spread does not count.
 """
 
 from typing import NamedTuple
@@ -18,19 +18,19 @@ HELD, NOT_HELD, OPEN = "held", "not held", "cannot be judged here"
 
 
 class Claim(NamedTuple):
-    """A claim and what became of it.
+    """A claim and its verdict.
 
     Attributes
     ----------
     claim, section : str
-        As the thesis says it, and where.
+        The claim of the thesis, and its section.
     verdict : {"held", "not held", "cannot be judged here"}
     rule : str
-        When it counts as held.
+        When the claim counts as held.
     evidence : str
         Our figures.
     of_time : bool
-        Whether times are compared.
+        Whether the claim is about times.
     """
 
     claim: str
@@ -47,7 +47,7 @@ def claims(plan, similarities):
     Parameters
     ----------
     plan : Plan
-        Its runs stored.
+        Its runs must be stored.
     similarities : dict of str to pandas.DataFrame
         By target (:func:`eval.documents.dzurenko.tables.similarity_table`).
 
@@ -66,7 +66,7 @@ def claims(plan, similarities):
         _levelling_off(plan),
         _edges(plan),
     ]
-    if plan.scheduler:  # rows may be of different machines
+    if plan.scheduler:  # different machines may have done the runs
         found = [claim._replace(verdict=OPEN) if claim.of_time else claim for claim in found]
     return pd.DataFrame(found).drop(columns="of_time")
 

@@ -1,4 +1,4 @@
-"""The report on chapters 4 and 5: every table and figure."""
+"""The page of the report on chapters 4 and 5: every table and figure."""
 
 import hashlib
 import json
@@ -18,18 +18,18 @@ from stylit_ref.machine.code_digest import code_digest
 
 
 def write_page(plan, folder):
-    """Write the report: its page, figures and a CSV of every table.
+    """Write the report: its page, its figures, and a CSV for every table.
 
     Parameters
     ----------
     plan : Plan
-        Its runs stored.
+        Its runs must be stored.
     folder : Path
 
     Returns
     -------
     bool
-        False if the report there is made of the same runs by the same code and was left alone.
+        False if the folder already holds a report of the same runs by the same code; it is kept.
     """
     inputs = _inputs(plan)
     if is_up_to_date(folder, inputs):

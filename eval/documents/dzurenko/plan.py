@@ -27,16 +27,16 @@ STYLES = {
     "pumpkin": "watercolour",
     "golem": "oil",
 }
-"""The style of each target in every table: the thesis' exemplars are not ours to use."""
+"""The style of each target in every table; we may not use the exemplars of the thesis."""
 
 BACKGROUND = "golem"
-"""The target of the figures that show one alone (1.1 and 2.3), and of three seeds."""
+"""The target of the figures that show a single one (1.1 and 2.3); it is run with three seeds."""
 
 PRESETS = {"quick": BUNDLED, "thesis": Path("build/data/1200x912")}
 """Data set of each preset; the second is made by ``make data``."""
 
 WITHOUT_ENERGY = tuple(name for name in METRICS if name != "image_energy")
-"""What is measured of guide maps: what they cost in image energy the table does not show."""
+"""Metrics of guide maps: without image energy, which no table shows for them."""
 
 
 @dataclass(frozen=True)
@@ -49,10 +49,10 @@ class Plan:
     scenes : dict of str to Scene
         By target.
     seeds : dict of str to tuple of int
-        By target; where a run is asked for without one, the first.
+        By target; the first is the default of a run.
     backend : {"cpu", "cuda"}
     scheduler : str, optional
-        Address of the Dask cluster where the runs are done: its times are not this machine's.
+        Address of the Dask scheduler whose cluster does the runs: times are not of this machine.
     """
 
     name: str
@@ -67,11 +67,11 @@ class Plan:
         return BACKGROUND if BACKGROUND in self.scenes else next(iter(self.scenes))
 
     def ref(self, target, uniformity=10000, seed=None):
-        """The run of ``ref`` at a λ."""
+        """The run of ``ref`` with this λ."""
         return self._job(target, self._ours(uniformity=uniformity), seed)
 
     def omega_kept(self, target):
-        """``ref`` at the least λ that is not 0: as good as λ = 0, but Ω is read and written."""
+        """``ref`` with the least λ above 0: in effect λ = 0, but Ω is read and written."""
         scene = self.scenes[target]
         width = Params().patch_width
         size = (np.prod(image.shape[:2]) for image in (scene.style, scene.target_guides[0]))
@@ -79,15 +79,15 @@ class Plan:
         return self._job(target, self._ours(uniformity=float(least)))
 
     def guide_map(self, target, epsilon, seed=None):
-        """The run with guide maps at an ε."""
+        """The run with guide maps with this ε."""
         return self._job(target, self._ours(method="guide_map", epsilon=float(epsilon)), seed)
 
     def stylit(self, target, seed=None):
-        """The run of StyLit; a CPU's, as in the thesis."""
+        """The run of StyLit, on the CPU as in the thesis."""
         return self._job(target, StylitRef(Params("stylit")), seed)
 
     def uniform_usage(self, target):
-        """Every patch of the style used alike: StyLit without an error budget."""
+        """StyLit without an error budget, which uses every patch of the style equally often."""
         params = Params("stylit", budget=1.0, fixed_share=1.0)
         return self._job(target, StylitRef(params))
 
@@ -103,14 +103,14 @@ class Plan:
         return Job(self.scenes[target], method, seed, self.scheduler)
 
     def gpu_records(self, target):
-        """What GPUs did with a target (:func:`eval.pages.gpu_records.gpu_records`)."""
+        """The records of GPUs on a target (:func:`eval.pages.gpu_records.gpu_records`)."""
         if target not in STYLES:
             return {}
         return gpu_records(f"{target}/{STYLES[target]}", self.scenes[target].size)
 
     @property
     def tasks(self):
-        """Every run, each once, and what is measured of it."""
+        """Every run once, with the metrics to measure of it."""
         tasks = []
         for target, seeds in self.seeds.items():
             tasks.append(Task(self.omega_kept(target)))
@@ -157,11 +157,13 @@ def preset(name, data=None, targets=None, step=1, seeds=None, **where):
     """
     data = Path(data or PRESETS[name])
     if not data.is_dir():
-        raise InputError(f"{data}: is not there; 'make data' renders it")
+        raise InputError(f"{data}: does not exist; 'make data' renders it")
     targets = targets or TARGETS
     for target in targets:
         if target not in STYLES:
-            raise InputError(f"{target!r} is no target; there are {', '.join(STYLES)}")
+            raise InputError(
+                f"--targets names {target!r}, which is no target; choose from {', '.join(STYLES)}"
+            )
     scenes = {target: load_scene(f"{target}/{STYLES[target]}", data, step) for target in targets}
     per_target = {
         target: tuple(seeds or ((0, 1, 2) if target == BACKGROUND else (0,))) for target in targets
@@ -196,7 +198,11 @@ def own_scene(folder, style=None, seeds=None, **where):
         image = read_uint8(style)
         if image.shape[:2] != scene.style.shape[:2]:
             sizes = ("{1}x{0}".format(*each.shape) for each in (image, scene.style))
-            raise InputError("{}: is {}; the source guides are {}".format(style, *sizes))
+            raise InputError(
+                "{}: is {}, but the source guides are {}; they must have the same size".format(
+                    style, *sizes
+                )
+            )
         scene = replace(scene, style=image, name=f"{scene.name}_{Path(style).stem}")
     name = re.sub(r"\W+", "_", scene.name)
     return Plan(name, {name: scene}, {name: tuple(seeds or (0, 1, 2))}, **where)

@@ -1,4 +1,4 @@
-"""What the thesis printed, and where its ratios do not follow from its times."""
+"""The printed numbers of the thesis, and the ratios that do not follow from its times."""
 
 from pathlib import Path
 
@@ -15,16 +15,16 @@ UNIFORMITIES = tuple(LAMBDA["lambda"].dropna().astype(int).unique().tolist())
 EPSILONS = tuple(EPSILON["epsilon"].dropna().astype(int).unique().tolist())
 
 ROUNDING = {"stylit": 0.5, "ref": 0.0005}
-"""How far a printed time may be from the one that was measured, seconds."""
+"""Largest rounding error of a printed time, in seconds."""
 
 
 def figure(table, target):
-    """Number of the figure, and of its table, that shows a target."""
+    """Number of the figure that shows a target, which is also that of its table."""
     return str(table.loc[table["target"] == target, "figure"].iloc[0])
 
 
 def errata():
-    """Rows whose printed ratio does not follow from the printed times, whatever was rounded.
+    """Rows whose printed ratio does not follow from the printed times, even allowing for rounding.
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""Chapters 4 and 5 of the thesis again, on our scenes: every table, figure and claim."""
+"""Repeat chapters 4 and 5 of the thesis on our scenes: every table, figure and claim."""
 
 import sys
 from pathlib import Path
@@ -15,25 +15,30 @@ def add_options(parser):
     """Declare what the report may be told."""
     parser.add_argument(
         "--preset", choices=PRESETS,
-        help="bundled scenes, or all of 'make data' at 1200x912 (default quick)",
+        help="quick: the bundled scenes; thesis: those of 'make data' at 1200x912 (default quick)",
     )  # fmt: skip
-    parser.add_argument("--data", help="folder of another data set than the preset's")
-    parser.add_argument("--targets", help="of the preset, commas between (default: all seven)")
-    parser.add_argument("--step", type=int, help="keep every STEPth pixel of the preset")
-    parser.add_argument("--scene", help="a folder of yours, in the place of a preset")
+    parser.add_argument("--data", help="folder of the data set, in place of the preset's")
     parser.add_argument(
-        "--style", type=Path, help="painting in the place of the folder's source_style"
+        "--targets", help="targets of the preset, commas between (default: all seven)"
+    )
+    parser.add_argument("--step", type=int, help="keep only every STEPth row and column")
+    parser.add_argument("--scene", help="folder of your own scene, in place of a preset")
+    parser.add_argument(
+        "--style", type=Path, help="with --scene: a painting in place of its source_style"
     )
     parser.add_argument(
-        "--seeds", type=int, nargs="+", help="default: 0, and 1 and 2 of one target"
-    )
+        "--seeds", type=int, nargs="+",
+        help="seeds of every target (default: 0, and for one target also 1 and 2)",
+    )  # fmt: skip
     parser.add_argument(
         "--backend",
         choices=[name for name in BACKENDS if name != "auto"],
         default="cpu",
-        help="results are kept by the device they are of, so there is no auto (default cpu)",
+        help="where to run; there is no auto, since results are stored by device (default cpu)",
     )
-    parser.add_argument("--scheduler", help="address of a Dask cluster")
+    parser.add_argument(
+        "--scheduler", metavar="ADDRESS", help="Dask scheduler whose cluster does the runs"
+    )
     add_output(parser, "PRESET")
 
 
@@ -46,7 +51,7 @@ def main(options):
         print(f"eval: failed: {title}: {reason}", file=sys.stderr)
     if failures:
         count = len(plan.tasks) - len(failures)
-        print(f"eval: {count} runs are kept; no report without the others", file=sys.stderr)
+        print(f"eval: no report: {len(failures)} runs failed, {count} are kept", file=sys.stderr)
         return 1
     if not write_page(plan, folder):
         print(f"eval: {folder} is up to date", file=sys.stderr)
@@ -55,16 +60,16 @@ def main(options):
 
 
 def _plan(options):
-    """The plan that is asked for."""
+    """The plan that the options describe."""
     where = {"backend": options.backend, "scheduler": options.scheduler}
     if options.scene:
         of_preset = ("preset", "data", "targets", "step")
         for name in of_preset:
             if getattr(options, name) is not None:
-                raise InputError(f"--{name} is for a preset; leave it out, or --scene")
+                raise InputError(f"--{name} cannot be used with --scene; leave one of them out")
         return own_scene(options.scene, options.style, options.seeds, **where)
     if options.style:
-        raise InputError("--style is for a scene of yours; give its folder with --scene")
+        raise InputError("--style needs --scene; name the folder of your scene with it")
     targets = options.targets.split(",") if options.targets else None
     step = 1 if options.step is None else options.step
     return preset(options.preset or "quick", options.data, targets, step, options.seeds, **where)

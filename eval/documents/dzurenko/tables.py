@@ -1,4 +1,4 @@
-"""The tables of chapters 4 and 5: published numbers, and ours beside them."""
+"""The tables of chapters 4 and 5: the published numbers beside ours."""
 
 import numpy as np
 import pandas as pd
@@ -91,7 +91,7 @@ def epsilon_times(plan, target):
 
 
 def shared_memory(plan):
-    """Table of 5.1.3: every target, with and without shared memory; ours of a GPU alone."""
+    """Table of 5.1.3: every target, with and without shared memory; our numbers need a GPU."""
     table = []
     for target in plan.scenes:
         printed = SHARED_MEMORY[SHARED_MEMORY["target"] == target]
@@ -193,7 +193,7 @@ SIMILARITY_DEFINITIONS = f"""\
 
 
 def formatted_times(table):
-    """Text of a table of times and ratios: what is published as it is printed."""
+    """Text of a table of times and ratios; published numbers look as they are printed."""
     text = table.copy().astype(object)
     for name in table:
         digits = 6 if name.startswith(("published", "printed", "table")) else 4

@@ -1,4 +1,4 @@
-"""The thesis' tables and figures on tiny scenes: all are there, nothing is done twice."""
+"""The thesis' tables and figures on tiny scenes: all exist, and no run is done twice."""
 
 import json
 import re
@@ -167,8 +167,8 @@ def test_errata_are_what_rounding_does_not_explain():
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (["--targets", "bunny"], "'bunny' is no target; there are stego,"),
-        (["--preset", "thesis", "--data", "nowhere"], "nowhere: is not there; 'make data'"),
+        (["--targets", "bunny"], "--targets names 'bunny', which is no target; choose from stego,"),
+        (["--preset", "thesis", "--data", "nowhere"], "nowhere: does not exist; 'make data'"),
         (["--scene", "nowhere"], "nowhere: is neither a folder nor"),
     ],
 )

@@ -1,4 +1,4 @@
-"""Ebsynth, with a program in its place that copies the style."""
+"""Ebsynth, replaced by a program that copies the style."""
 
 import re
 import sys

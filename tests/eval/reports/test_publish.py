@@ -1,4 +1,4 @@
-"""What is committed of the reports, and how ``make reports`` makes it."""
+"""The committed copies of reports, and how ``make reports`` makes them."""
 
 import re
 import subprocess
@@ -99,7 +99,7 @@ def test_only_what_a_report_chooses_is_committed_and_it_is_small(built, tmp_path
 
 @pytest.mark.slow
 def test_without_names_the_committed_reports_are_made_anew(built, tmp_path):
-    with pytest.raises(InputError, match="none of the committed reports is here"):
+    with pytest.raises(InputError, match="holds none of the committed reports"):
         publish()
     publish(["noise"])
     (tmp_path / "reports" / "noise" / "old.csv").touch()

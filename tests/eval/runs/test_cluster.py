@@ -44,4 +44,4 @@ def test_a_scheduler_that_is_not_there_is_one_sentence(tmp_path, monkeypatch, ca
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("eval.runs.cluster.PATIENCE", "1s")
     assert main(["dzurenko", "--step", "6", "--scheduler", "tcp://127.0.0.1:9"]) == 2
-    assert "tcp://127.0.0.1:9: no Dask scheduler answers there" in capsys.readouterr().err
+    assert "--scheduler tcp://127.0.0.1:9 does not answer" in capsys.readouterr().err
