@@ -10,8 +10,8 @@ HEAD = """\
 # All options
 
 `python docs/command_line.py` writes this page from the parser of `stylit-ref`, so it says what
-`--help` says. [Files, masks and options](how_to/files_and_options.md) explains what needs more than a
-line.
+`--help` says. [Files, masks and options](how_to/files_and_options.md) explains what needs more than
+a line.
 """
 
 
