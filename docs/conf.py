@@ -28,12 +28,14 @@ include_patterns = [
     "notebooks/README.md",
     "oracle/SPEC.md",
     "README.md",
+    "CHANGELOG.md",
+    "reports/README.md",
     "reports/*/report.md",
 ]
 exclude_patterns = [".*", "build", "data_gen", "tests"]  # not looked into at all
 
 extensions = ["myst_nb", "numpydoc", "sphinx.ext.autodoc", "sphinx.ext.viewcode"]
-myst_enable_extensions = ["dollarmath", "amsmath"]  # notebooks have formulas
+myst_enable_extensions = ["dollarmath", "amsmath", "html_image"]  # formulas; widths of pictures
 myst_heading_anchors = 3
 smartquotes = False  # a flag keeps its two dashes
 numpydoc_show_class_members = False

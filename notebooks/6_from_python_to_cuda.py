@@ -87,7 +87,7 @@ print("kernels run on", doctor.device_name())
 # %%
 cpu_module = sys.modules["stylit_ref.passes.random_nnf"]
 print(inspect.getsource(philox.uniform_below.py_func))
-print(inspect.getsource(cpu_module.random_nnf.py_func))
+print(inspect.getsource(cpu_module.random_nnf))
 
 # %% [markdown]
 # And the kernel (thesis 3.4). It has no loop: `cuda.grid(2)` says which pixel is this thread's.

@@ -3,8 +3,8 @@
 A fence's first word is its language, the rest how it is run: ``sh`` in bash, ``python`` by the
 interpreter, ``sh dry-run`` with make printing its commands only, ``sh not-run: REASON`` not at all,
 ``renders`` where the renderer is installed. A ``text`` fence after one holds lines that it must
-print, ``...`` for anything. The blocks of a page run one after another in one shell, in a folder
-that links to the repository.
+print, ``...`` for anything. The blocks of a page run one after another in one shell; each begins in
+a folder that links to the repository.
 """
 
 import os
@@ -139,11 +139,13 @@ def images_of_ebsynth(scratch):
 
 
 def own_images(scratch):
-    """A painting and the renders it belongs to."""
+    """A painting, the renders it belongs to, and their objects in flat colours."""
     for name, image in (
         ("painted", "source/styles/oil"),
         ("sphere", "source/FULL"),
         ("scene", "golem/FULL"),
+        ("sphere_ids", "source/IDMASK"),
+        ("scene_ids", "golem/IDMASK"),
     ):
         imsave(scratch / f"{name}.png", small(f"{image}.png"), check_contrast=False)
 
@@ -176,9 +178,9 @@ PORT = free_port()
 
 def script(page, blocks):
     """A page as a bash script, and a line before each block's output."""
-    lines = ["set -eo pipefail"]
+    lines = ["set -eo pipefail", "BEGINNING=$PWD"]
     for number, block in enumerate(blocks):
-        lines.append(f"echo '== block {number} =='")
+        lines += [f"echo '== block {number} =='", 'cd "$BEGINNING"']
         code = here(page, block.code)
         if block.language == "python":
             lines += ["python - <<'END OF BLOCK'", code, "END OF BLOCK"]
