@@ -3,6 +3,7 @@
 import argparse
 import sys
 from difflib import get_close_matches
+from itertools import pairwise
 
 from stylit_ref.errors import one_line
 
@@ -64,7 +65,7 @@ class Parser(argparse.ArgumentParser):
         takes_rest = any(
             action.nargs in (argparse.PARSER, argparse.REMAINDER) for action in self._actions
         )
-        for word in words:
+        for before, word in pairwise(["", *words]):
             if word == "--":
                 return
             if not self._is_flag(word):
@@ -75,7 +76,7 @@ class Parser(argparse.ArgumentParser):
                 continue
             flag = word.partition("=")[0]
             if flag not in self._option_string_actions:
-                self.error(self._why_unknown(flag))
+                self.error(self._why_unknown(before, flag))
 
     def _is_flag(self, word):
         """As argparse sees it: a negative number is a value, and so is what has a space in it."""
@@ -86,7 +87,7 @@ class Parser(argparse.ArgumentParser):
             and not self._negative_number_matcher.match(word)
         )
 
-    def _why_unknown(self, flag):
+    def _why_unknown(self, before, flag):
         for name, command in self.commands.items():
             found = command._same_flag(flag)
             if found:
@@ -96,6 +97,8 @@ class Parser(argparse.ArgumentParser):
             return f"{flag}: two dashes here: {found}{_page(flag)}"
         if found:
             return f"{flag}: did you mean {found}?"
+        if before in self._option_string_actions and "." in flag:
+            return f"{before} {flag}: a value cannot begin with a dash; write ./{flag}"
         nearest = _nearest(flag, self._option_string_actions)
         return f"there is no option {flag}{nearest}{_page(flag)}"
 

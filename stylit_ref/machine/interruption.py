@@ -1,4 +1,4 @@
-"""Ctrl-C and SIGTERM end a program in the same way, wherever they strike."""
+"""Ctrl-C and SIGTERM end a program in the same way, whenever they come."""
 
 import signal
 from _thread import interrupt_main
@@ -11,14 +11,14 @@ import numba
 COMPILERS = tuple(str(Path(package.__file__).parent) for package in (numba, llvmlite))
 
 _waiting: Timer | None = None
-"""Asks again for the interruption that a compiler has put off."""
+"""Repeats an interruption that a compiler has put off."""
 
 
 def heed_interruptions():
     """Have both raise KeyboardInterrupt in the main thread, for a program to call at its start.
 
-    Not within a compiler, which would lose the exception where LLVM calls back, or free the same
-    module twice: there they wait until the kernel is compiled (:func:`heed_waiting`).
+    While a kernel is compiled they wait until it is done (:func:`heed_waiting`): the compiler loses
+    an exception that is raised in a callback of LLVM, or frees the same module twice.
     """
     for number in (signal.SIGINT, signal.SIGTERM):
         if signal.getsignal(number) is not signal.SIG_IGN:  # as a shell has it in the background
@@ -28,8 +28,7 @@ def heed_interruptions():
 def heed_waiting():
     """Interrupt now, if an interruption waits for the compiler; to be called between two kernels.
 
-    The next kernel may be compiled at once, and the program would not hear of it before that one,
-    or the last, is done.
+    Without it, a program that compiles kernel after kernel would end after the last one alone.
 
     Raises
     ------

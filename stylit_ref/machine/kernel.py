@@ -80,7 +80,7 @@ _REHEARSED: ContextVar[dict[Specialization, None] | None] = ContextVar("rehearse
 
 @contextmanager
 def rehearsal() -> Iterator[dict[Specialization, None]]:
-    """Have kernels note what they are called with, and do nothing.
+    """While the block runs, kernels do nothing but note the types of their arguments.
 
     Yields
     ------
@@ -119,7 +119,7 @@ def kernel(
         dispatcher = njit(parallel=_PRANGE_ALONE if parallel else False, error_model="numpy")(
             function
         )
-        with suppress(RuntimeError):  # no folder can be written: every process compiles anew
+        with suppress(RuntimeError):  # no folder can be written, so every process compiles
             dispatcher._cache = KernelCache(function, constants)
 
         @wraps(function)

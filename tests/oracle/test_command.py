@@ -131,7 +131,7 @@ def test_expected_failures_do_not_count_but_unexpected_passes_do(tmp_path, capsy
         (["--port", "none {input} {output}"], "cannot be run: there is no program 'none'"),
         (["--port", "'none {input} {output}"], "is not a command: No closing quotation"),
         (["--stages", ""], "'', which is not a stage"),
-        (["--json", "nowhere/a.json"], "nowhere does not exist"),
+        (["--json", "unknown.txt/a.json"], "unknown.txt: is a file; name a folder"),
         (["--module", "no.such.module"], "module 'no.such.module' cannot be imported"),
         (["--xfail", "nowhere.txt"], "nowhere.txt: cannot be read"),
         (["--xfail", "unknown.txt"], "unknown.txt: 'kne/*' matches no case"),
