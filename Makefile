@@ -76,10 +76,11 @@ lowest: wheel ## try the source package with the oldest versions that pyproject.
 	$(call TRY,build/lowest)
 	build/lowest/bin/stylit-ref oracle check
 
-lint: $(VENV)/lint.installed ## ruff and import contracts
+lint: $(VENV)/lint.installed ## ruff, import contracts, and whether every public name has a type
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/lint-imports
+	PATH="$(abspath $(BIN)):$$PATH" pyright --verifytypes stylit_ref --ignoreexternal
 
 docs: $(VENV)/docs.installed ## build the site, build/site/index.html: docs, notebooks, API, reports
 	$(BIN)/sphinx-build -W --keep-going --quiet -c docs . build/site

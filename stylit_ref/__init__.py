@@ -4,7 +4,7 @@
 """
 
 from importlib import import_module
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from stylit_ref.errors import InputError
@@ -49,7 +49,7 @@ _HOMES = {
 }
 
 
-def __getattr__(name):
+def __getattr__(name: str) -> Any:
     """Import a public name when it is first used.
 
     Synthesis then needs no OpenImageIO, and the oracle's checker no Numba. The imports above tell

@@ -13,12 +13,13 @@ class InputError(ValueError):
         line puts the name of its option before ``sentence`` instead.
     """
 
-    def __init__(self, sentence, *, parameter=None):
-        self.sentence, self.parameter = one_line(sentence), parameter
+    def __init__(self, sentence: str, *, parameter: str | None = None) -> None:
+        self.sentence: str = one_line(sentence)
+        self.parameter: str | None = parameter
         super().__init__(f"{parameter} {self.sentence}" if parameter else self.sentence)
 
 
-def one_line(text):
+def one_line(text: str) -> str:
     """The text on one line, without control characters.
 
     A file's name or another library's message may contain characters that a terminal obeys.

@@ -7,7 +7,7 @@ Python's own numbers, so that equal values have the same ``repr``.
 
 from dataclasses import dataclass, field, fields
 from numbers import Integral, Real
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -49,7 +49,7 @@ class Integer:
     odd: bool = False
     remark: str = ""
 
-    def check(self, name, value):
+    def check(self, name: str, value: Any) -> int:
         """The value as an int."""
         fits = isinstance(value, Integral) and self.least <= value <= self.most
         if not fits or (self.odd and value % 2 == 0):
@@ -60,7 +60,9 @@ class Integer:
             )
         return int(value)
 
-    parse, described, placeholder = int, "an integer", "N"
+    parse: ClassVar[type[int]] = int
+    described: ClassVar[str] = "an integer"
+    placeholder: ClassVar[str] = "N"
 
 
 @dataclass(frozen=True)
@@ -70,7 +72,7 @@ class Number:
     least: float
     most: float
 
-    def check(self, name, value):
+    def check(self, name: str, value: Any) -> float:
         """The value as a float."""
         if not isinstance(value, Real) or not self.least <= value <= self.most:
             raise InputError(
@@ -79,7 +81,9 @@ class Number:
             )
         return float(value)
 
-    parse, described, placeholder = float, "a number", "X"
+    parse: ClassVar[type[float]] = float
+    described: ClassVar[str] = "a number"
+    placeholder: ClassVar[str] = "X"
 
 
 @dataclass(frozen=True)
@@ -87,9 +91,9 @@ class Share:
     """A number above 0 and up to 1, or the ``word`` if one is given."""
 
     word: str | None = None
-    placeholder = "SHARE"
+    placeholder: ClassVar[str] = "SHARE"
 
-    def check(self, name, value):
+    def check(self, name: str, value: Any) -> float | str:
         """The value as a float, or the word."""
         if self.word and isinstance(value, str) and value == self.word:
             return value
@@ -100,12 +104,12 @@ class Share:
             )
         return float(value)
 
-    def parse(self, text):
+    def parse(self, text: str) -> float | str:
         """The word, or a number."""
         return text if text == self.word else float(text)
 
     @property
-    def described(self):
+    def described(self) -> str:
         """What text must be."""
         return f"{self.word} or a number" if self.word else "a number"
 
@@ -116,7 +120,7 @@ class Choice:
 
     names: tuple[str, ...]
 
-    def check(self, name, value):
+    def check(self, name: str, value: Any) -> str:
         """The value."""
         if not isinstance(value, str) or value not in self.names:
             *others, last = map(repr, self.names)
@@ -125,7 +129,9 @@ class Choice:
             )
         return value
 
-    parse, described, placeholder = str, "a name", "NAME"
+    parse: ClassVar[type[str]] = str
+    described: ClassVar[str] = "a name"
+    placeholder: ClassVar[str] = "NAME"
 
 
 @dataclass(frozen=True)
@@ -133,21 +139,21 @@ class OneOrSeveral:
     """A value of a kind, or several of them."""
 
     kind: Integer | Number
-    placeholder = "N[,N...]"
+    placeholder: ClassVar[str] = "N[,N...]"
 
-    def check(self, name, value):
+    def check(self, name: str, value: Any) -> float | tuple[float, ...]:
         """The value, or a tuple of values."""
         if not (_is_sequence(value) and len(value)):
             return self.kind.check(name, value)
         return tuple(self.kind.check(name, each) for each in value)
 
-    def parse(self, text):
+    def parse(self, text: str) -> float | tuple[float, ...]:
         """A value, or a tuple of values if the text has commas."""
         values = tuple(self.kind.parse(part) for part in text.split(","))
         return values if len(values) > 1 else values[0]
 
     @property
-    def described(self):
+    def described(self) -> str:
         """What text must be."""
         return f"{self.kind.described}, or several with commas between"
 
@@ -158,20 +164,20 @@ class Several:
 
     kind: Integer | Number
     one: str
-    placeholder = "N[,N...]"
+    placeholder: ClassVar[str] = "N[,N...]"
 
-    def check(self, name, value):
+    def check(self, name: str, value: Any) -> tuple[float, ...]:
         """A tuple of values."""
         if not _is_sequence(value):
             raise InputError(f"is {value}; it must be a list of numbers", parameter=name)
         return tuple(self.kind.check(f"{self.one} {k}", each) for k, each in enumerate(value, 1))
 
-    def parse(self, text):
+    def parse(self, text: str) -> tuple[float, ...]:
         """A tuple of the values between commas."""
         return tuple(self.kind.parse(part) for part in text.split(","))
 
     @property
-    def described(self):
+    def described(self) -> str:
         """What text must be."""
         return f"{self.kind.described}, or several with commas between"
 
@@ -182,21 +188,21 @@ class Optional:
 
     kind: Any
 
-    def check(self, name, value):
+    def check(self, name: str, value: Any) -> Any:
         """The value, or None."""
         return None if value is None else self.kind.check(name, value)
 
-    def parse(self, text):
+    def parse(self, text: str) -> Any:
         """A value."""
         return self.kind.parse(text)
 
     @property
-    def described(self):
+    def described(self) -> str:
         """What text must be."""
         return self.kind.described
 
     @property
-    def placeholder(self):
+    def placeholder(self) -> str:
         """What stands for a value in a help text."""
         return self.kind.placeholder
 

@@ -34,6 +34,10 @@ def test_type_checkers_are_told_the_same():
     assert sorted(name for _, name in told) == sorted(stylit_ref.__all__)
 
 
+def test_type_checkers_trust_the_annotations():
+    assert Path(stylit_ref.__file__).with_name("py.typed").exists()
+
+
 def test_another_name_is_an_error():
     with pytest.raises(AttributeError, match="module 'stylit_ref' has no attribute 'stylise'"):
         stylit_ref.stylise  # noqa: B018

@@ -26,7 +26,7 @@ which copies scenes and prints a command that stylizes one."""
 COMMANDS = example, run, replay, doctor, warm_up, oracle
 
 
-def command():
+def command() -> None:
     """Entry point of ``stylit-ref``."""
     heed_interruptions()
     sleep_while_waiting()

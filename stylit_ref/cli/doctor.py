@@ -1,5 +1,6 @@
 """``stylit-ref doctor``: what this installation has, and what it lacks."""
 
+import argparse
 import os
 import platform
 from importlib.metadata import version
@@ -9,10 +10,11 @@ import OpenImageIO as oiio
 
 from stylit_ref import __version__
 from stylit_ref.cli.methods import OFFERS
+from stylit_ref.cli.parser import Parser
 from stylit_ref.stylization.warm_up import FIVE_GUIDES
 
 
-def add_parser(commands):
+def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
     """Add the command."""
     parser = commands.add_parser(
         "doctor",
@@ -24,7 +26,7 @@ def add_parser(commands):
     parser.set_defaults(command=run, parser=parser)
 
 
-def run(_):
+def run(_: argparse.Namespace) -> None:
     """Print the report; a missing part is what it is about, not an error."""
     for name, text in _lines():
         print(f"{name:13} {text}")

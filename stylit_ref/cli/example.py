@@ -1,17 +1,19 @@
 """``stylit-ref example``: the bundled scenes, copied to where they can be played with."""
 
+import argparse
 import shlex
 import shutil
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from stylit_ref.cli.parser import Parser
 from stylit_ref.errors import InputError
 from stylit_ref.files.output_file import real_path, temporary_name
 
 _MANIFEST = "manifest.json"
 
 
-def add_parser(commands):
+def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
     """Add the command."""
     parser = commands.add_parser(
         "example",
@@ -24,7 +26,7 @@ def add_parser(commands):
     parser.add_argument("folder", metavar="FOLDER", help="where to copy them, for instance scenes")
 
 
-def run(options):
+def run(options: argparse.Namespace) -> None:
     """Copy them, whole or not at all, and print a command that stylizes one.
 
     In a folder that has them already, files that are missing are copied and all others stay.

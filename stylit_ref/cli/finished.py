@@ -1,9 +1,12 @@
 """What a command says when it is done."""
 
 import sys
+from pathlib import Path
+
+import numpy as np
 
 
-def tell_finished(path, image, seconds, *others):
+def tell_finished(path: str | Path, image: np.ndarray, seconds: float, *others: str) -> None:
     """Say on stderr which picture was written, its size, and how long that took.
 
     Parameters

@@ -4,6 +4,7 @@ import argparse
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
 from stylit_ref.files.read_image import read_guides, read_uint8
@@ -22,14 +23,14 @@ class ImagesIn(NamedTuple):
     fill : (H_B, W_B, n) uint8 or None
     """
 
-    style: np.ndarray
-    source_guides: tuple[np.ndarray, ...]
-    target_guides: tuple[np.ndarray, ...]
-    mask: np.ndarray | None
-    fill: np.ndarray | None
+    style: NDArray[np.uint8]
+    source_guides: tuple[NDArray[np.uint8], ...]
+    target_guides: tuple[NDArray[np.uint8], ...]
+    mask: NDArray[np.bool_] | None
+    fill: NDArray[np.uint8] | None
 
 
-def add_input_options(group):
+def add_input_options(group: argparse._ArgumentGroup) -> None:
     """Add the options that name them."""
     group.add_argument("--style", required=True, metavar="IMAGE", help="the painting")
     group.add_argument(
@@ -43,7 +44,7 @@ def add_input_options(group):
     )  # fmt: skip
 
 
-def add_mask_options(group):
+def add_mask_options(group: argparse._ArgumentGroup) -> None:
     """Add the options that leave a part of the target alone."""
     group.add_argument(
         "--mask", metavar="IMAGE", help="leave the pixels of the target alone that are white here"
@@ -53,13 +54,13 @@ def add_mask_options(group):
     )
 
 
-def paths_in(options):
+def paths_in(options: argparse.Namespace) -> list[str | None]:
     """Files that the options name, None among them."""
     guides = (path for pair in options.guide for path in pair)
     return [options.style, options.mask, options.fill, *guides]
 
 
-def read_images(options):
+def read_images(options: argparse.Namespace) -> ImagesIn:
     """Read the images and refuse those that do not fit together, by their files' names.
 
     Parameters

@@ -1,18 +1,22 @@
 """Files that ``run`` writes: refused before it starts, written whole or not at all."""
 
+import argparse
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
-from stylit_ref.cli.images_in import paths_in
+from stylit_ref.cli.images_in import ImagesIn, paths_in
 from stylit_ref.files.nnf_file import check_nnf_writable, write_nnf
 from stylit_ref.files.output_file import check_distinct, check_folder
 from stylit_ref.files.write_image import check_image_writable, write_image
+from stylit_ref.stylization.params import Params
+from stylit_ref.stylization.stylize import Result
 
 _LEVEL, _GUIDE_MAP = "level_{}.png", "guide_map_{}.png"
 
 
-def add_output_option(group):
+def add_output_option(group: argparse._ArgumentGroup) -> None:
     """Add the option that names the picture."""
     group.add_argument(
         "--output", required=True, metavar="IMAGE",
@@ -20,7 +24,7 @@ def add_output_option(group):
     )  # fmt: skip
 
 
-def add_other_outputs(group):
+def add_other_outputs(group: argparse._ArgumentGroup) -> None:
     """Add the options that name what else a run can write."""
     group.add_argument(
         "--nnf", metavar="FILE.npy",
@@ -33,7 +37,7 @@ def add_other_outputs(group):
     )  # fmt: skip
 
 
-def check_outputs(options, params, images):
+def check_outputs(options: argparse.Namespace, params: Params, images: ImagesIn) -> None:
     """Refuse files that cannot be written, or would overwrite others.
 
     Parameters
@@ -60,13 +64,13 @@ def check_outputs(options, params, images):
     )
 
 
-def save_level(options, level, image):
+def save_level(options: argparse.Namespace, level: int, image: NDArray[np.uint8]) -> None:
     """Write the image of a level, where ``--save-levels`` asks for it."""
     if options.save_levels:
         write_image(Path(options.save_levels) / _LEVEL.format(level), image)
 
 
-def write_result(options, result):
+def write_result(options: argparse.Namespace, result: Result) -> None:
     """Write all that is left to write once a run is done."""
     write_image(options.output, result.image)
     if options.save_levels:

@@ -1,10 +1,13 @@
 """Options of ``run`` that shape the result, and the parameters that they give."""
 
+import argparse
 from argparse import ArgumentTypeError
+from collections.abc import Collection
 from dataclasses import fields
 
 from stylit_ref.cli.methods import OFFERS, offer_of
 from stylit_ref.errors import InputError
+from stylit_ref.stylization.params import Params
 
 SPELLED = {
     "patch_width": "--patch-size",
@@ -18,7 +21,7 @@ _OTHERS = "method", "guide_weights"
 """Parameters whose options are made by hand: ``--weight`` stands beside its guide."""
 
 
-def add_method(group):
+def add_method(group: argparse._ArgumentGroup) -> None:
     """Add ``--method``."""
     texts = "; ".join(f"{name}: {offer.text}" for name, offer in OFFERS.items())
     group.add_argument(
@@ -27,7 +30,7 @@ def add_method(group):
     )  # fmt: skip
 
 
-def add_preset(group):
+def add_preset(group: argparse._ArgumentGroup) -> None:
     """Add ``--preset``."""
     presets = dict.fromkeys(name for offer in OFFERS.values() for name in offer.presets)
     group.add_argument(
@@ -37,7 +40,11 @@ def add_preset(group):
     )  # fmt: skip
 
 
-def add_parameters(group, names=None, without=()):
+def add_parameters(
+    group: argparse._ArgumentGroup,
+    names: Collection[str] | None = None,
+    without: Collection[str] = (),
+) -> None:
     """Add an option for each parameter, None where it is not given.
 
     Parameters
@@ -89,7 +96,7 @@ def _parsed(kind):
     return parse
 
 
-def chosen_params(options):
+def chosen_params(options: argparse.Namespace) -> Params:
     """Parameters of the method that was chosen.
 
     Parameters

@@ -2,12 +2,13 @@
 
 from collections.abc import Callable
 from dataclasses import fields
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from stylit_ref.errors import InputError
+from stylit_ref.machine.kernel import Specialization
 from stylit_ref.stylization.methods import METHODS, heeded_by
 from stylit_ref.stylization.params import PRESETS, Params
-from stylit_ref.stylization.stylize import stylize
+from stylit_ref.stylization.stylize import Result, stylize
 from stylit_ref.stylization.warm_up import kernels_of_run
 
 
@@ -33,9 +34,9 @@ class Offer(NamedTuple):
     text: str
     params: type
     heeds: tuple[str, ...]
-    presets: dict[str, dict]
-    run: Callable
-    kernels: Callable
+    presets: dict[str, dict[str, Any]]
+    run: Callable[..., Result]
+    kernels: Callable[..., list[Specialization]]
 
 
 def _stylization(method):

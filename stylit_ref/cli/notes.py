@@ -1,8 +1,10 @@
 """What is worth a note but stops nothing."""
 
+import argparse
 import logging
 import sys
 import warnings
+from collections.abc import Iterator
 from contextlib import contextmanager
 
 from stylit_ref.errors import one_line
@@ -27,13 +29,13 @@ class _Notes(logging.Handler):
         say(f"{flag}{getattr(record, 'sentence', record.getMessage())}")
 
 
-def say(text):
+def say(text: str) -> None:
     """Print a note."""
     print(f"note: {one_line(text)}", file=sys.stderr)
 
 
 @contextmanager
-def notes_on_stderr(options):
+def notes_on_stderr(options: argparse.Namespace) -> Iterator[None]:
     """Print what the library has to tell while the block runs, a line each.
 
     Parameters

@@ -1,9 +1,12 @@
 """``stylit-ref oracle``: check a port of the algorithm against test vectors."""
 
+import argparse
+
+from stylit_ref.cli.parser import Parser
 from stylit_ref.errors import InputError
 
 
-def add_parser(commands):
+def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
     """Add the command; its own commands and their options are the oracle's."""
     parser = commands.add_parser(
         "oracle",

@@ -2,8 +2,10 @@
 
 import argparse
 import sys
+from collections.abc import Iterable
 from difflib import get_close_matches
 from itertools import pairwise
+from typing import Any, NoReturn
 
 from stylit_ref.errors import one_line
 
@@ -19,15 +21,17 @@ EBSYNTH_PAGE = "docs/how_to/from_ebsynth.md has every option of ebsynth"
 class Parser(argparse.ArgumentParser):
     """Refuses in one sentence, and names an unknown option before it misses another."""
 
-    def __init__(self, **settings):
+    def __init__(self, **settings: Any) -> None:
         own = {"allow_abbrev": False, "formatter_class": argparse.RawDescriptionHelpFormatter}
         super().__init__(**own | settings)
 
-    def error(self, message):
+    def error(self, message: str) -> NoReturn:
         """End with exit code 2."""
         self.exit(2, f"{self.prog}: {one_line(message)} (--help shows the options)\n")
 
-    def parse_known_args(self, args=None, namespace=None):
+    def parse_known_args(
+        self, args: Iterable[str] | None = None, namespace: Any = None
+    ) -> tuple[Any, list[str]]:
         """Parse, and refuse what is unknown or left over here rather than at the end."""
         words = sys.argv[1:] if args is None else list(args)
         self._refuse_unknown(words)
@@ -37,7 +41,7 @@ class Parser(argparse.ArgumentParser):
         return options, left_over
 
     @property
-    def commands(self):
+    def commands(self) -> dict[str, "Parser"]:
         """Parsers of the commands that this one has, by name."""
         for action in self._actions:
             if isinstance(action, argparse._SubParsersAction):

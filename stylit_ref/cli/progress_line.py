@@ -1,10 +1,13 @@
 """The line that shows how far a run is."""
 
 import sys
+from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import NamedTuple
+from typing import NamedTuple, NoReturn
 
 from tqdm import tqdm
+
+from stylit_ref.stylization.progress import Step
 
 _COMPILATION = "{desc} |{bar}| {elapsed}"
 _WHOLE = 1.0
@@ -21,10 +24,10 @@ class ProgressLine(NamedTuple):
         Tell the energy too.
     """
 
-    bar: tqdm
+    bar: "tqdm[NoReturn]"
     verbose: bool
 
-    def compiling(self, number, count):
+    def compiling(self, number: int, count: int) -> None:
         """Tell which kernel is going to be compiled."""
         self.bar.set_description_str(f"compiling kernels {number} of {count}, once", refresh=False)
         if number == 1:
@@ -33,7 +36,7 @@ class ProgressLine(NamedTuple):
         self.bar.n = number - 1
         self.bar.refresh()
 
-    def step(self, step):
+    def step(self, step: Step) -> None:
         """Tell a :class:`stylit_ref.Step`."""
         told = _place(step)
         if self.verbose:
@@ -46,7 +49,7 @@ class ProgressLine(NamedTuple):
 
 
 @contextmanager
-def progress_line(quiet, verbose):
+def progress_line(quiet: bool, verbose: bool) -> Iterator[ProgressLine]:
     """Show the line while the block runs.
 
     Parameters

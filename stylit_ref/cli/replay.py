@@ -1,8 +1,10 @@
 """``stylit-ref replay``: another style image through a saved nearest-neighbour field."""
 
+import argparse
 from time import perf_counter
 
 from stylit_ref.cli.finished import tell_finished
+from stylit_ref.cli.parser import Parser
 from stylit_ref.files.nnf_file import read_nnf
 from stylit_ref.files.output_file import check_distinct
 from stylit_ref.files.read_image import read_image
@@ -17,7 +19,7 @@ or enlarged. The run must have written with --nnf where every pixel came from. F
   stylit-ref replay --nnf field.npy --style twice_as_large.exr --scale 2 --output large.exr"""
 
 
-def add_parser(commands):
+def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
     """Add the command."""
     parser = commands.add_parser(
         "replay",
@@ -39,7 +41,7 @@ def add_parser(commands):
     parser.add_argument("--quiet", action="store_true", help="say nothing but what is wrong")
 
 
-def run(options):
+def run(options: argparse.Namespace) -> None:
     """Read, vote, write."""
     start = perf_counter()
     style = read_image(options.style)

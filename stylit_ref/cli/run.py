@@ -1,5 +1,6 @@
 """``stylit-ref run``: stylize a target as a style exemplar shows."""
 
+import argparse
 import logging
 import sys
 from functools import partial
@@ -16,6 +17,7 @@ from stylit_ref.cli.images_out import (
 )
 from stylit_ref.cli.method_options import add_method, add_parameters, add_preset, chosen_params
 from stylit_ref.cli.methods import offer_of
+from stylit_ref.cli.parser import Parser
 from stylit_ref.cli.progress_line import progress_line
 from stylit_ref.machine.profiling import Profile
 from stylit_ref.notes import note
@@ -37,7 +39,7 @@ _EVERYDAY = ("uniformity",)
 """Parameters that an artist tries first."""
 
 
-def add_parser(commands):
+def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
     """Add the command."""
     parser = commands.add_parser(
         "run",
@@ -76,7 +78,7 @@ def add_parser(commands):
     machine.add_argument("--profile", action="store_true", help="print where the time went")
 
 
-def run(options):
+def run(options: argparse.Namespace) -> None:
     """Read, stylize, write; all is checked before the work starts."""
     start = perf_counter()
     params, offer = chosen_params(options), offer_of(options.method)

@@ -1,10 +1,12 @@
 """``stylit-ref warm-up``: compile kernels before the first run."""
 
+import argparse
 import sys
 from time import perf_counter
 
 from stylit_ref.cli.method_options import add_method, add_parameters, chosen_params
 from stylit_ref.cli.methods import offer_of
+from stylit_ref.cli.parser import Parser
 from stylit_ref.cli.progress_line import progress_line
 from stylit_ref.machine.kernel import compile_missing
 from stylit_ref.parameters import Integer, Several
@@ -19,7 +21,7 @@ _COMPILED_FOR = "patch_width", "vote_outliers", "schedule"
 """Parameters that decide which kernels a run calls."""
 
 
-def add_parser(commands):
+def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
     """Add the command."""
     parser = commands.add_parser(
         "warm-up", help="compile ahead what a first run would wait for", description=_DESCRIPTION
@@ -39,7 +41,7 @@ def add_parser(commands):
     parser.add_argument("--quiet", action="store_true", help="say nothing but what is wrong")
 
 
-def run(options):
+def run(options: argparse.Namespace) -> None:
     """Compile, and say how much there was to do."""
     params, start = chosen_params(options), perf_counter()
     with progress_line(options.quiet, verbose=False) as line:

@@ -5,12 +5,15 @@ light, clipped to [0, 1] and encoded by the sRGB transfer curve; alpha stays lin
 """
 
 import numpy as np
+from numpy.typing import NDArray
 from skimage.util import img_as_float32
 
 from stylit_ref.errors import InputError
 
 
-def to_uint8(image: np.ndarray, alpha_channel: int | None = None) -> np.ndarray:
+def to_uint8(
+    image: NDArray[np.uint8 | np.uint16 | np.floating], alpha_channel: int | None = None
+) -> NDArray[np.uint8]:
     """Convert an image to 8 bits as displayed.
 
     Parameters
@@ -45,7 +48,7 @@ def to_uint8(image: np.ndarray, alpha_channel: int | None = None) -> np.ndarray:
     return np.floor(encoded * 255 + 0.5).astype(np.uint8)
 
 
-def to_linear(image: np.ndarray) -> np.ndarray:
+def to_linear(image: NDArray[np.uint8 | np.uint16 | np.floating]) -> NDArray[np.float32]:
     """Invert the sRGB curve: turn displayed integers into float32 scene-linear light."""
     encoded = img_as_float32(image)
     linear = np.where(encoded <= 0.04045, encoded / 12.92, ((encoded + 0.055) / 1.055) ** 2.4)

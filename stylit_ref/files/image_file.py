@@ -4,6 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import OpenImageIO as oiio
+from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
 
@@ -37,7 +38,7 @@ def open_image(file: str | Path) -> oiio.ImageInput:
     return image
 
 
-def check_size(file: str | Path, spec: oiio.ImageSpec):
+def check_size(file: str | Path, spec: oiio.ImageSpec) -> None:
     """Refuse an image whose header declares too large a data window or display window.
 
     Raises
@@ -53,7 +54,9 @@ def check_size(file: str | Path, spec: oiio.ImageSpec):
             )
 
 
-def read_pixels(image: oiio.ImageInput, part: int, depth: str) -> np.ndarray | None:
+def read_pixels(
+    image: oiio.ImageInput, part: int, depth: str
+) -> NDArray[np.uint8 | np.uint16 | np.float32] | None:
     """Read all pixels of one part of an open file.
 
     For a truncated JPEG, OpenImageIO invents the missing pixels; only its error tells.

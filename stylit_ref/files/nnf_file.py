@@ -3,6 +3,7 @@
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
 from stylit_ref.files.output_file import check_regular, check_writable, real_path, whole_file
@@ -35,7 +36,7 @@ def read_nnf(path: str | Path) -> np.ndarray:
         raise InputError(f"{path}: is not a readable .npy file: {error}") from None
 
 
-def check_nnf_writable(path: str | Path):
+def check_nnf_writable(path: str | Path) -> None:
     """Refuse a path that :func:`write_nnf` could not write, before the work begins.
 
     Raises
@@ -47,7 +48,7 @@ def check_nnf_writable(path: str | Path):
     check_writable(path)
 
 
-def write_nnf(path: str | Path, nnf: np.ndarray):
+def write_nnf(path: str | Path, nnf: NDArray[np.int32]) -> None:
     """Write a nearest-neighbour field; a failure leaves no partial file.
 
     Parameters

@@ -3,13 +3,14 @@
 import os
 import secrets
 import shutil
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from stylit_ref.errors import InputError
 
 
-def real_path(path):
+def real_path(path: str | Path) -> Path:
     """The absolute path that a path leads to when its links are followed.
 
     Raises
@@ -30,7 +31,7 @@ def real_path(path):
     return place
 
 
-def check_writable(path):
+def check_writable(path: str | Path) -> None:
     """Refuse a path where no file can be written. Its folder need not exist.
 
     Raises
@@ -48,7 +49,7 @@ def check_writable(path):
         raise InputError(f"{path}: cannot be written: permission denied")
 
 
-def check_regular(path):
+def check_regular(path: str | Path) -> None:
     """Refuse a device or a pipe: reading it may never end, and writing would replace it.
 
     Raises
@@ -59,7 +60,7 @@ def check_regular(path):
         raise InputError(f"{path}: is a device or a pipe; name an ordinary file")
 
 
-def check_folder(folder):
+def check_folder(folder: str | Path) -> None:
     """Refuse a folder that cannot be written, or neither exists nor can be made.
 
     Raises
@@ -72,7 +73,7 @@ def check_folder(folder):
 
 
 @contextmanager
-def folder_for_a_check(folder):
+def folder_for_a_check(folder: str | Path) -> Iterator[None]:
     """Make a folder, and those it lies in, while the block runs; remove what was made.
 
     Raises
@@ -110,7 +111,7 @@ def _remove_folders(folders):
 
 
 @contextmanager
-def temporary_name(path):
+def temporary_name(path: str | Path) -> Iterator[Path]:
     """A new name beside ``path``, with its suffix; a file of that name is removed at the end."""
     path = Path(path)
     name = path.with_name(f".{secrets.token_hex(8)}{path.suffix}")
@@ -120,7 +121,9 @@ def temporary_name(path):
         name.unlink(missing_ok=True)
 
 
-def check_distinct(outputs, inputs=()):
+def check_distinct(
+    outputs: Iterable[str | Path | None], inputs: Iterable[str | Path | None] = ()
+) -> None:
     """Refuse outputs that would overwrite each other or an input.
 
     Parameters
@@ -145,7 +148,7 @@ def check_distinct(outputs, inputs=()):
 
 
 @contextmanager
-def whole_file(path, size):
+def whole_file(path: str | Path, size: int) -> Iterator[Path]:
     """Write to a temporary name, which becomes ``path`` when the block succeeds.
 
     If the block fails, no partial file is left, nor a folder that was made for it. A link is
@@ -182,7 +185,7 @@ def whole_file(path, size):
         raise
 
 
-def write_text(path, text):
+def write_text(path: str | Path, text: str) -> None:
     """Write a text in UTF-8; a failure leaves no partial file.
 
     Raises

@@ -9,6 +9,7 @@ import logging
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
 from stylit_ref.files.bit_depth import to_uint8
@@ -21,7 +22,7 @@ _DEPTHS = {"uint8": "uint8", "uint16": "uint16"} | dict.fromkeys(
 )
 
 
-def read_image(path: str | Path) -> np.ndarray:
+def read_image(path: str | Path) -> NDArray[np.uint8 | np.uint16 | np.float32]:
     """Read an image at its own depth.
 
     Parameters
@@ -44,7 +45,7 @@ def read_image(path: str | Path) -> np.ndarray:
     return _drop_opaque(*_read(path))[0]
 
 
-def read_uint8(path: str | Path) -> np.ndarray:
+def read_uint8(path: str | Path) -> NDArray[np.uint8]:
     """Read an image as 8-bit display values.
 
     Parameters and errors are those of :func:`read_image`.
@@ -56,7 +57,9 @@ def read_uint8(path: str | Path) -> np.ndarray:
     return _displayed(path)[0]
 
 
-def read_guides(source_path: str | Path, target_path: str | Path) -> tuple[np.ndarray, np.ndarray]:
+def read_guides(
+    source_path: str | Path, target_path: str | Path
+) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
     """Read a guide of the source and of the target so that their channels agree.
 
     Alpha is dropped if it is opaque in both images and otherwise kept, or added, in

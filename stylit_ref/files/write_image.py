@@ -4,6 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import OpenImageIO as oiio
+from numpy.typing import NDArray
 
 from stylit_ref.arrays import as_array
 from stylit_ref.errors import InputError
@@ -21,7 +22,7 @@ FLOAT_FORMATS = (".exr", ".hdr", ".pfm")
 """Suffixes of formats that store scene-linear floating point."""
 
 
-def write_image(path: str | Path, image: np.ndarray):
+def write_image(path: str | Path, image: NDArray[np.uint8 | np.uint16 | np.float32]) -> None:
     """Write an image; a failure leaves no partial file.
 
     Integers become scene-linear light in a floating-point format. Floating point becomes 8-bit
@@ -79,7 +80,7 @@ def write_image(path: str | Path, image: np.ndarray):
             raise InputError(f"{path}: cannot be written: the finished file cannot be read")
 
 
-def check_image_writable(path: str | Path, channels: int):
+def check_image_writable(path: str | Path, channels: int) -> None:
     """Refuse a path that :func:`write_image` could not write, before the work begins.
 
     Parameters

@@ -2,6 +2,7 @@
 
 import numpy as np
 from numba import njit
+from numpy.typing import NDArray
 
 from stylit_ref.randomness.philox import uniform_below
 
@@ -10,13 +11,13 @@ PROPAGATION_DISTANCES = (4, 2, 1)
 
 
 @njit
-def clamp(value, low, high):
+def clamp(value: int, low: int, high: int) -> int:
     """``value`` moved into ``[low, high]``."""
     return min(max(value, low), high)
 
 
 @njit
-def neighbour_offsets(distance):
+def neighbour_offsets(distance: int) -> tuple[tuple[int, int], ...]:
     """Offsets of the neighbours in propagation: right, below, left, above (thesis 3.3).
 
     The order matters: of equally good candidates the first is kept.
@@ -25,7 +26,15 @@ def neighbour_offsets(distance):
 
 
 @njit
-def propagation_candidate(neighbour_y, neighbour_x, dy, dx, radius, source_height, source_width):
+def propagation_candidate(
+    neighbour_y: int,
+    neighbour_x: int,
+    dy: int,
+    dx: int,
+    radius: int,
+    source_height: int,
+    source_width: int,
+) -> tuple[int, int]:
     """The assignment of the neighbour at offset ``(dy, dx)``, shifted back by the offset.
 
     This is ``NNF(P ⊙ (dy, dx)) ⊙ (-dy, -dx)``, clamped to the source (thesis 2.4 and 3.3). It
@@ -37,7 +46,14 @@ def propagation_candidate(neighbour_y, neighbour_x, dy, dx, radius, source_heigh
 
 
 @njit
-def upsampled_assignment(coarse_nnf, y, x, radius, source_height, source_width):
+def upsampled_assignment(
+    coarse_nnf: NDArray[np.int32],
+    y: int,
+    x: int,
+    radius: int,
+    source_height: int,
+    source_width: int,
+) -> tuple[int, int]:
     """The assignment that a target pixel takes from the coarser level (UpsampleNNF, thesis 2.3).
 
     It is twice the parent's assignment, plus the pixel's offset from twice the parent's position,
@@ -54,8 +70,15 @@ def upsampled_assignment(coarse_nnf, y, x, radius, source_height, source_width):
 
 @njit
 def random_candidate(
-    word_y, word_x, centre_y, centre_x, search_radius, radius, source_height, source_width
-):
+    word_y: int,
+    word_x: int,
+    centre_y: int,
+    centre_x: int,
+    search_radius: int,
+    radius: int,
+    source_height: int,
+    source_width: int,
+) -> tuple[int, int]:
     """A uniformly random patch centre in the square of ``search_radius`` around an assignment.
 
     The square is clipped to the source's patch centres (thesis 2.4 and 3.3). ``word_y`` and

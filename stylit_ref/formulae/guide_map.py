@@ -18,12 +18,15 @@ from math import ceil
 
 import numpy as np
 from numba import njit
+from numpy.typing import NDArray
 
 from stylit_ref.formulae.patch_similarity import squared_differences
 
 
 @njit
-def patch_sum(texture, first_y, first_x, channel, patch_width):
+def patch_sum(
+    texture: NDArray[np.uint8], first_y: int, first_x: int, channel: int, patch_width: int
+) -> int:
     """Sum of a channel over a patch, w² times its mean; the first pixel is given (Evaluate_Means).
 
     Parameters
@@ -43,7 +46,14 @@ def patch_sum(texture, first_y, first_x, channel, patch_width):
 
 
 @njit
-def scaled_variance(texture, sums, weights, first_y, first_x, patch_width):
+def scaled_variance(
+    texture: NDArray[np.uint8],
+    sums: NDArray[np.uint16 | np.uint32],
+    weights: NDArray[np.int64],
+    first_y: int,
+    first_x: int,
+    patch_width: int,
+) -> int:
     """w⁴ var of the patch whose first pixel is given (Evaluate_Map).
 
     A guide of weight 0 does not count, as in the metric.
@@ -72,20 +82,28 @@ def scaled_variance(texture, sums, weights, first_y, first_x, patch_width):
     return total
 
 
-def variance_limit(epsilon, patch_width):
+def variance_limit(epsilon: float, patch_width: int) -> int:
     """The integer limit of w⁴ var: var < ε if and only if w⁴ var is below it."""
     return min(ceil(Fraction(float(epsilon)) * int(patch_width) ** 4), np.iinfo(np.int64).max)
 
 
-def sums_dtype(patch_width):
+def sums_dtype(patch_width: int) -> type[np.uint16 | np.uint32]:
     """The smallest type that holds the sum of a channel over a patch."""
     return np.uint16 if patch_width**2 * 255 < 1 << 16 else np.uint32
 
 
 @njit
 def guides_by_means(
-    weights, target_sums, source_sums, channels, patch_width, y, x, source_y, source_x
-):
+    weights: NDArray[np.int64],
+    target_sums: NDArray[np.uint16 | np.uint32],
+    source_sums: NDArray[np.uint16 | np.uint32],
+    channels: int,
+    patch_width: int,
+    y: int,
+    x: int,
+    source_y: int,
+    source_x: int,
+) -> int:
     """The guides' part of δ by their means (SSD, thesis 5.2.2).
 
     Parameters
@@ -115,8 +133,17 @@ def guides_by_means(
 
 @njit
 def delta_by_means(
-    source, target, weights, target_sums, source_sums, patch_width, y, x, source_y, source_x
-):
+    source: NDArray[np.uint8],
+    target: NDArray[np.uint8],
+    weights: NDArray[np.int64],
+    target_sums: NDArray[np.uint16 | np.uint32],
+    source_sums: NDArray[np.uint16 | np.uint32],
+    patch_width: int,
+    y: int,
+    x: int,
+    source_y: int,
+    source_x: int,
+) -> int:
     """δ of a patch that is white on the map, in its simplest form (SSD, thesis 5.2.2).
 
     Parameters

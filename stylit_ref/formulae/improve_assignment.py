@@ -14,7 +14,11 @@ a commit
 An assignment changes only where φ becomes strictly lower.
 """
 
+from collections.abc import Callable
+
+import numpy as np
 from numba import njit
+from numpy.typing import NDArray
 
 from stylit_ref.formulae.patch_penalization import (
     penalization,
@@ -22,17 +26,31 @@ from stylit_ref.formulae.patch_penalization import (
     update_patch_omega,
 )
 from stylit_ref.formulae.patch_similarity import delta
+from stylit_ref.machine.inlined import Compiler
 
 
 @njit
-def phi(source, target, weights, omega, occurrence_weight, patch_width, y, x, source_y, source_x):
+def phi(
+    source: NDArray[np.uint8],
+    target: NDArray[np.uint8],
+    weights: NDArray[np.int64],
+    omega: NDArray[np.int32],
+    occurrence_weight: int,
+    patch_width: int,
+    y: int,
+    x: int,
+    source_y: int,
+    source_x: int,
+) -> int:
     """φ(P, Q) = λρ(Q) + δ(P, Q), thesis 2.2, as an exact int64 in fixed point."""
     return penalization_by_omega(omega, occurrence_weight, patch_width, source_y, source_x) + delta(
         source, target, weights, patch_width, y, x, source_y, source_x
     )
 
 
-def make_improve_assignment(compiled, phi, update):
+def make_improve_assignment(
+    compiled: Compiler, phi: Callable[..., int], update: Callable[..., None]
+) -> Callable[..., tuple[int, int]]:
     """Compile ImproveAssignment (3.2) for a metric and an occurrence map.
 
     Parameters
@@ -56,9 +74,17 @@ def make_improve_assignment(compiled, phi, update):
 
     @compiled
     def improve_assignment(
-        metric, occurrences, occurrence_weight, patch_width, y, x,
-        candidate_y, candidate_x, current_y, current_x,
-    ):  # fmt: skip
+        metric,
+        occurrences,
+        occurrence_weight,
+        patch_width,
+        y,
+        x,
+        candidate_y,
+        candidate_x,
+        current_y,
+        current_x,
+    ):
         phi_candidate = phi(
             metric, occurrences, occurrence_weight, patch_width, y, x, candidate_y, candidate_x
         )
@@ -82,11 +108,15 @@ def _phi_of_textures(textures, omega, occurrence_weight, patch_width, y, x, sour
     )
 
 
-improve_assignment = make_improve_assignment(njit, _phi_of_textures, update_patch_omega)
+improve_assignment: Callable[..., tuple[int, int]] = make_improve_assignment(
+    njit, _phi_of_textures, update_patch_omega
+)
 """ImproveAssignment with Ω; its ``metric`` is the tuple ``(source, target, weights)``."""
 
 
-def make_improve_proposal(compiled, delta_below):
+def make_improve_proposal(
+    compiled: Compiler, delta_below: Callable[..., int]
+) -> Callable[..., tuple[int, int, int, int]]:
     """Compile ImproveAssignment without its changes to Ω.
 
     Parameters
@@ -107,9 +137,18 @@ def make_improve_proposal(compiled, delta_below):
 
     @compiled
     def improve_proposal(
-        metric, omega_sums, occurrence_weight, y, x,
-        candidate_y, candidate_x, best_y, best_x, best_delta, best_phi,
-    ):  # fmt: skip
+        metric,
+        omega_sums,
+        occurrence_weight,
+        y,
+        x,
+        candidate_y,
+        candidate_x,
+        best_y,
+        best_x,
+        best_delta,
+        best_phi,
+    ):
         best = best_y, best_x, best_delta, best_phi
         penalty = penalization(omega_sums, occurrence_weight, candidate_y, candidate_x)
         if (candidate_y == best_y and candidate_x == best_x) or penalty >= best_phi:
@@ -123,7 +162,16 @@ def make_improve_proposal(compiled, delta_below):
 
 
 @njit(inline="always")
-def take_proposal(nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, y, x):
+def take_proposal(
+    nnf: NDArray[np.int32],
+    delta: NDArray[np.int64],
+    proposed_nnf: NDArray[np.int32],
+    proposed_delta: NDArray[np.int64],
+    omega_sums: NDArray[np.int32],
+    occurrence_weight: int,
+    y: int,
+    x: int,
+) -> bool:
     """Assign the proposal of a pixel if that lowers φ with the current W.
 
     The old assignment replaces the proposal in either case: if NNF and NNF' differ afterwards, the

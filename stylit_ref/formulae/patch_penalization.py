@@ -9,11 +9,16 @@ Fixed point keeps the penalization exact. With
 one integer weight, ``occurrence_weight``, times an integer sum.
 """
 
+from collections.abc import Callable
+
 import numpy as np
 from numba import njit
+from numpy.typing import NDArray
+
+from stylit_ref.machine.inlined import Compiler
 
 
-def omega_best(patch_width, source_pixels, target_patches):
+def omega_best(patch_width: int, source_pixels: int, target_patches: int) -> float:
     """Ω of every source pixel if all were used equally often, ``w² |B| / |A|`` (thesis 2.1).
 
     ``target_patches`` is the number of assigned target patches: all pixels of the
@@ -23,7 +28,7 @@ def omega_best(patch_width, source_pixels, target_patches):
 
 
 @njit
-def omega_sum(omega, patch_width, source_y, source_x):
+def omega_sum(omega: NDArray[np.int32], patch_width: int, source_y: int, source_x: int) -> int:
     """W(Q): Ω summed over the patch around ``(source_y, source_x)``.
 
     PatchOmega of thesis 3.2 before its two divisions.
@@ -37,18 +42,22 @@ def omega_sum(omega, patch_width, source_y, source_x):
 
 
 @njit(inline="always")
-def penalization(omega_sums, occurrence_weight, source_y, source_x):
+def penalization(
+    omega_sums: NDArray[np.int32], occurrence_weight: int, source_y: int, source_x: int
+) -> int:
     """λρ(Q) from W as an exact int64 in fixed point (thesis 2.1)."""
     return occurrence_weight * np.int64(omega_sums[source_y, source_x])
 
 
 @njit
-def penalization_by_omega(omega, occurrence_weight, patch_width, source_y, source_x):
+def penalization_by_omega(
+    omega: NDArray[np.int32], occurrence_weight: int, patch_width: int, source_y: int, source_x: int
+) -> int:
     """λρ(Q) from Ω itself, summed over the patch."""
     return occurrence_weight * np.int64(omega_sum(omega, patch_width, source_y, source_x))
 
 
-def make_update_patch_omega(compiled, add):
+def make_update_patch_omega(compiled: Compiler, add: Callable[..., None]) -> Callable[..., None]:
     """Compile UpdatePatchOmega (thesis 3.2).
 
     Parameters
@@ -74,7 +83,7 @@ def make_update_patch_omega(compiled, add):
     return update_patch_omega
 
 
-def make_update_omega_sums(compiled, add):
+def make_update_omega_sums(compiled: Compiler, add: Callable[..., None]) -> Callable[..., None]:
     """Compile the update of W; parameters as above.
 
     The patch at offset ``(dy, dx)`` shares ``(w - |dy|) (w - |dx|)`` pixels with the assigned one.
@@ -104,8 +113,8 @@ def _add(occurrences, y, x, change):
     occurrences[y, x] += change
 
 
-update_patch_omega = make_update_patch_omega(njit, _add)
+update_patch_omega: Callable[..., None] = make_update_patch_omega(njit, _add)
 """UpdatePatchOmega for a single thread."""
 
-update_omega_sums = make_update_omega_sums(njit, _add)
+update_omega_sums: Callable[..., None] = make_update_omega_sums(njit, _add)
 """The update of W for a single thread."""

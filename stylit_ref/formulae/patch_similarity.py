@@ -2,10 +2,20 @@
 
 import numpy as np
 from numba import njit
+from numpy.typing import NDArray
 
 
 @njit
-def delta(source, target, weights, patch_width, y, x, source_y, source_x):
+def delta(
+    source: NDArray[np.uint8],
+    target: NDArray[np.uint8],
+    weights: NDArray[np.int64],
+    patch_width: int,
+    y: int,
+    x: int,
+    source_y: int,
+    source_x: int,
+) -> int:
     r"""Weighted sum of squared differences between two patches.
 
     .. math:: \delta(P, Q) = \frac{\mu}{n_g} \sum_{guides} (f^P - f^Q)^2
@@ -35,8 +45,16 @@ def delta(source, target, weights, patch_width, y, x, source_y, source_x):
 
 @njit(forceinline=True)
 def squared_differences(
-    source, target, weights, patch_width, y, x, source_y, source_x, first_channel
-):
+    source: NDArray[np.uint8],
+    target: NDArray[np.uint8],
+    weights: NDArray[np.int64],
+    patch_width: int,
+    y: int,
+    x: int,
+    source_y: int,
+    source_x: int,
+    first_channel: int,
+) -> int:
     """The part of δ from ``first_channel`` on; other parameters as above."""
     radius = patch_width // 2
     total = np.int64(0)

@@ -2,16 +2,17 @@
 
 import numpy as np
 from numba import njit
+from numpy.typing import NDArray
 
 
 @njit
-def rounded_mean(total, count):
+def rounded_mean(total: int, count: int) -> int:
     """``total / count`` rounded half up; 0 if ``count`` is 0."""
     return (2 * total + count) // (2 * count) if count else 0
 
 
 @njit
-def block_mean(image, y, x, channel):
+def block_mean(image: NDArray[np.uint8], y: int, x: int, channel: int) -> int:
     """A pixel of the next coarser level: the mean of 2 x 2, rounded half up (thesis 3.4).
 
     The thesis gives no source code; it samples with bilinear interpolation, which at a factor of

@@ -1,6 +1,16 @@
 """Compile functions that are inlined into every kernel that calls them."""
 
+from collections.abc import Callable
+from typing import Any, TypeVar
+
 from numba import njit
 
-inlined = njit(forceinline=True, no_cpython_wrapper=True, no_cfunc_wrapper=True)
-"""Decorator of a function that only kernels call."""
+Function = TypeVar("Function", bound=Callable[..., Any])
+
+Compiler = Callable[[Callable[..., Any]], Callable[..., Any]]
+"""Compiles a function: :func:`numba.njit`, :func:`inlined`, or a decorator for a GPU."""
+
+
+def inlined(function: Function) -> Function:
+    """Compile a function that only kernels call."""
+    return njit(forceinline=True, no_cpython_wrapper=True, no_cfunc_wrapper=True)(function)

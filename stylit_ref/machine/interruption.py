@@ -14,7 +14,7 @@ _waiting: Timer | None = None
 """Repeats an interruption that a compiler has put off."""
 
 
-def heed_interruptions():
+def heed_interruptions() -> None:
     """Have both raise KeyboardInterrupt in the main thread, for a program to call at its start.
 
     While a kernel is compiled they wait until it is done (:func:`heed_waiting`): the compiler loses
@@ -25,7 +25,7 @@ def heed_interruptions():
             signal.signal(number, _interrupt)
 
 
-def heed_waiting():
+def heed_waiting() -> None:
     """Interrupt now, if an interruption waits for the compiler; to be called between two kernels.
 
     Without it, a program that compiles kernel after kernel would end after the last one alone.

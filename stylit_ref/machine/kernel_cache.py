@@ -8,11 +8,14 @@ differ in every process. Here a stored kernel belongs to the code it can call
 
 import hashlib
 import time
+from collections.abc import Callable
 from contextlib import suppress
 from functools import cached_property
 from pathlib import Path
 from types import FunctionType
+from typing import Any
 
+from numba import types
 from numba.core.caching import FunctionCache, IndexDataCacheFile
 from numba.core.registry import cpu_target
 
@@ -31,7 +34,7 @@ class KernelCache(FunctionCache):
     code or constants cannot read each other's.
     """
 
-    def __init__(self, function, constants):
+    def __init__(self, function: Callable[..., None], constants: tuple[int, ...]) -> None:
         self._function, self._constants = function, constants
         super().__init__(function)
         del self._cache_file  # Numba's own
@@ -55,7 +58,7 @@ class KernelCache(FunctionCache):
         except (OSError, SyntaxError):
             return False
 
-    def load_overload(self, *arguments):
+    def load_overload(self, *arguments: Any) -> Any:
         """None also for a damaged file, which is emptied: it is compiled and kept anew."""
         if not self._is_as_it_ran:
             return None
@@ -66,7 +69,7 @@ class KernelCache(FunctionCache):
                 self._cache_file.flush()
             return None
 
-    def save_overload(self, *arguments):
+    def save_overload(self, *arguments: Any) -> None:
         """What does not fit on the disk is not kept, nor what LLVM did not hand over.
 
         Ctrl-C in its callback loses the compiled object, where a program lets it strike there.
@@ -76,7 +79,7 @@ class KernelCache(FunctionCache):
                 super().save_overload(*arguments)
         heed_waiting()
 
-    def holds(self, types):
+    def holds(self, types: tuple[types.Type, ...]) -> bool:
         """Whether the kernel for arguments of these types is on the disk."""
         key = self._index_key(types, cpu_target.target_context.codegen())
         try:

@@ -1,8 +1,13 @@
 """Ask for memory before it is read. Changes no result."""
 
+from collections.abc import Callable
+from typing import Any
+
 from llvmlite import ir
 from numba import types
 from numba.core import cgutils
+from numba.core.typing.context import BaseContext
+from numba.core.typing.templates import Signature
 from numba.extending import intrinsic
 
 _I32 = ir.IntType(32)
@@ -10,7 +15,9 @@ _READ, _KEEP, _DATA = _I32(0), _I32(3), _I32(1)
 
 
 @intrinsic
-def prefetch(typing, array, element):
+def prefetch(
+    typing: BaseContext, array: types.Array, element: types.Integer
+) -> tuple[Signature, Callable[..., Any]]:
     """Fetch the cache line of a C-contiguous array's flat ``element`` (int64)."""
     signature = types.void(array, types.int64)
 

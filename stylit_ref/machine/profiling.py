@@ -1,10 +1,13 @@
 """Measure the time of a run by stage."""
 
+from collections.abc import Iterator
 from contextlib import contextmanager
 from time import perf_counter
 from types import SimpleNamespace
 
 from numba.core import event
+
+from stylit_ref.machine.replaced import Passes
 
 COMPILATION = "compilation"
 
@@ -20,12 +23,13 @@ class Profile:
     calls : dict of str to int
     """
 
-    def __init__(self):
-        self.seconds, self.calls = {COMPILATION: 0.0}, {COMPILATION: 0}
+    def __init__(self) -> None:
+        self.seconds: dict[str, float] = {COMPILATION: 0.0}
+        self.calls: dict[str, int] = {COMPILATION: 0}
         self._start = perf_counter()
 
     @contextmanager
-    def stage(self, name):
+    def stage(self, name: str) -> Iterator[None]:
         """Add the time of the block to stage ``name``."""
         compiled = 0.0
 
@@ -41,7 +45,7 @@ class Profile:
         if compiled:
             self._add(COMPILATION, compiled)
 
-    def passes(self, passes):
+    def passes(self, passes: Passes) -> SimpleNamespace:
         """The functions of a module of passes, each a stage of its own."""
 
         def timed(name):
@@ -55,7 +59,7 @@ class Profile:
 
         return SimpleNamespace(**{name: timed(name) for name in passes.__all__})
 
-    def table(self):
+    def table(self) -> list[str]:
         """Lines of text: seconds, share and calls of each stage, largest first, then the rest."""
         total = perf_counter() - self._start
         stages = sorted(self.seconds, key=self.seconds.get, reverse=True)

@@ -1,9 +1,14 @@
 """Replace some passes of a module."""
 
-from types import SimpleNamespace
+from collections.abc import Callable
+from types import ModuleType, SimpleNamespace
+from typing import Any
+
+Passes = ModuleType | SimpleNamespace
+"""A module with the functions of :mod:`stylit_ref.passes`, or such a module with some replaced."""
 
 
-def replaced(passes, **own):
+def replaced(passes: Passes, **own: Callable[..., Any]) -> SimpleNamespace:
     """Replace some passes of a module.
 
     Parameters

@@ -3,7 +3,7 @@
 import os
 
 
-def sleep_while_waiting():
+def sleep_while_waiting() -> None:
     """Let waiting threads sleep almost at once; a program calls this at its start.
 
     GNU OpenMP threads that wait for each other spin for milliseconds before they sleep. Beside

@@ -8,6 +8,8 @@ the packed pixel (multiply-add adds neighbours). Weights are equal within a pair
 portable vector operations, which compile for any processor.
 """
 
+from collections.abc import Callable
+
 from llvmlite import ir
 from numba import types
 from numba.core import cgutils
@@ -17,7 +19,9 @@ LANES = 16  # elements of a vector load: as many as AVX2 holds after widening to
 _I16, _I32, _I64 = ir.IntType(16), ir.IntType(32), ir.IntType(64)
 
 
-def make_weighted_ssd(rows, pixels, channels, element_bits, first_channel=0):
+def make_weighted_ssd(
+    rows: int, pixels: int, channels: int, element_bits: int, first_channel: int = 0
+) -> Callable[..., int]:
     """Build ``weighted_ssd(a, a_offset, a_stride, b, b_offset, b_stride, pair_weights)``.
 
     Parameters

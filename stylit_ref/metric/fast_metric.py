@@ -30,7 +30,7 @@ from stylit_ref.metric.lower_bound import BOUND_SCALE
 
 
 @lru_cache
-def make_delta_bound(moments_a_patch):
+def make_delta_bound(moments_a_patch: int) -> Callable[..., int]:
     """Compile the lower bound of δ for patches with this number of moments.
 
     Returns
@@ -74,13 +74,15 @@ class FastMetric(NamedTuple):
         ``metric`` is the textures.
     """
 
-    assignment_delta: Callable
-    may_improve: Callable
-    improve_proposal: Callable
+    assignment_delta: Callable[..., int]
+    may_improve: Callable[..., bool]
+    improve_proposal: Callable[..., tuple[int, int, int, int]]
 
 
 @lru_cache
-def make_fast_metric(patch_width, channels, moments_a_patch, mean_channels):
+def make_fast_metric(
+    patch_width: int, channels: int, moments_a_patch: int, mean_channels: int
+) -> FastMetric:
     """Compile the metric for the sizes of :func:`stylit_ref.metric.textures.vector_sizes`.
 
     Returns

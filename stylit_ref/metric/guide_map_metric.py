@@ -1,5 +1,7 @@
 """δ with a guide map (thesis 5.2.2), in vector code for the CPU."""
 
+from collections.abc import Callable
+
 import numpy as np
 
 from stylit_ref.formulae.guide_map import guides_by_means
@@ -7,7 +9,9 @@ from stylit_ref.machine.inlined import inlined
 from stylit_ref.machine.vector_ssd import make_weighted_ssd
 
 
-def make_guide_map_delta(patch_width, channels, mean_channels, patch_delta):
+def make_guide_map_delta(
+    patch_width: int, channels: int, mean_channels: int, patch_delta: Callable[..., int]
+) -> Callable[..., int]:
     """Compile the SSD of thesis 5.2.2.
 
     Parameters

@@ -12,9 +12,11 @@ slope and curvature. Guides are smooth, so their sums are enough; the grain of t
 all six.
 """
 
+import numpy as np
 from numba import njit
+from numpy.typing import NDArray
 
-POLYNOMIALS = {
+POLYNOMIALS: dict[int, tuple[tuple[int, ...], ...]] = {
     3: ((1, 1, 1), (-1, 0, 1), (1, -2, 1)),
     5: ((1, 1, 1, 1, 1), (-2, -1, 0, 1, 2), (2, -1, -2, -1, 2)),
 }
@@ -29,12 +31,16 @@ LINE_MOMENTS = 32
 """Moments, 16 bits each, in a cache line of 64 bytes."""
 
 CONSTANT = (0, 0)
-STYLE_DEGREES = (((0, 1), (1, 0)), ((0, 2), (2, 0)), ((1, 1),))
+STYLE_DEGREES: tuple[tuple[tuple[int, int], ...], ...] = (
+    ((0, 1), (1, 0)),
+    ((0, 2), (2, 0)),
+    ((1, 1),),
+)
 """Vertical and horizontal degrees of a style channel's moments after the constant. Neighbours
 have equal norms, so that they can share a weight."""
 
 
-def moment_width(patch_width):
+def moment_width(patch_width: int) -> int:
     """Width of the central block that moments are taken of.
 
     Differences of its moments must fit 16 bits; those of 5 x 5 pixels do.
@@ -42,14 +48,21 @@ def moment_width(patch_width):
     return min(patch_width, 5)
 
 
-def squared_norm(width, degrees):
+def squared_norm(width: int, degrees: tuple[int, int]) -> int:
     """⟨b, b⟩ of the product of two polynomials."""
     vertical, horizontal = (POLYNOMIALS[width][degree] for degree in degrees)
     return sum(v * v for v in vertical) * sum(h * h for h in horizontal)
 
 
 @njit
-def patch_moment(texture, first_y, first_x, channel, vertical, horizontal):
+def patch_moment(
+    texture: NDArray[np.uint8],
+    first_y: int,
+    first_x: int,
+    channel: int,
+    vertical: tuple[int, ...],
+    horizontal: tuple[int, ...],
+) -> int:
     """⟨b, f⟩ on the block whose first pixel is ``(first_y, first_x)``.
 
     This is the definition, pixel by pixel; :mod:`stylit_ref.passes.patch_moments` computes the same

@@ -9,9 +9,11 @@ Weights are fixed-point integers, so that φ is an exact integer in any order of
 every processor and with any number of threads.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
 from stylit_ref.formulae.patch_penalization import omega_best
@@ -50,22 +52,22 @@ class Packing:
     style_channel: int
     style_channels: int
     channels: int
-    weights: np.ndarray
+    weights: NDArray[np.int64]
 
     @property
-    def pair_weights(self):
+    def pair_weights(self) -> NDArray[np.uint32]:
         """Weights of neighbouring channels, (channels / 2,) uint32."""
         return self.weights.reshape(-1, 2).max(axis=1).astype(np.uint32)
 
     @property
-    def style_pair_weights(self):
+    def style_pair_weights(self) -> NDArray[np.uint32]:
         """The same, with weights of 0 for the guides, (channels / 2,) uint32."""
         weights = self.pair_weights
         weights[: self.style_channel // 2] = 0
         return weights
 
     @property
-    def moments(self):
+    def moments(self) -> tuple[tuple[int, tuple[int, int]] | None, ...]:
         """Channel and degrees of each moment of a patch, or None for padding.
 
         A tuple of ``(channel, (vertical, horizontal))`` that fills whole cache lines: the sums of
@@ -77,7 +79,7 @@ class Packing:
             moments += [(channel, degree) for channel in style for degree in degrees]
         return (*moments, *[None] * (-len(moments) % LINE_MOMENTS))
 
-    def moment_weights(self, patch_width, guide_map=False):
+    def moment_weights(self, patch_width: int, guide_map: bool = False) -> NDArray[np.uint32]:
         """Weights of neighbouring moments in the bound of δ, (moments / 2,) uint32.
 
         They are rounded down, so that the bound remains a lower bound. With a guide map the guides
@@ -94,11 +96,13 @@ class Packing:
         ]
         return np.array(weights).reshape(-1, 2).max(axis=1).astype(np.uint32)
 
-    def largest_delta(self, patch_width):
+    def largest_delta(self, patch_width: int) -> int:
         """An upper bound of δ, fixed point."""
         return patch_width**2 * 255**2 * int(self.weights.sum())
 
-    def pack(self, guides, style=None):
+    def pack(
+        self, guides: Sequence[NDArray[np.uint8]], style: NDArray[np.uint8] | None = None
+    ) -> NDArray[np.uint8]:
         """Lay guides and style side by side.
 
         Parameters
@@ -118,11 +122,11 @@ class Packing:
             self.set_style(texture, style)
         return texture
 
-    def agrees_with(self, other):
+    def agrees_with(self, other: "Packing") -> bool:
         """Whether textures of both packings can be compared."""
         return self.guide_sizes == other.guide_sizes and np.array_equal(self.weights, other.weights)
 
-    def set_style(self, texture, style):
+    def set_style(self, texture: NDArray[np.uint8], style: NDArray[np.uint8]) -> None:
         """Write an image into a packed texture's style channels.
 
         Raises
@@ -138,12 +142,17 @@ class Packing:
             )
         place[:] = style
 
-    def style(self, texture):
+    def style(self, texture: NDArray[np.uint8]) -> NDArray[np.uint8]:
         """View of a packed texture's style channels."""
         return texture[:, :, self.style_channel : self.style_channel + self.style_channels]
 
 
-def make_packing(guide_sizes, style_channels, guide_influence, guide_weights):
+def make_packing(
+    guide_sizes: Sequence[int],
+    style_channels: int,
+    guide_influence: float,
+    guide_weights: Sequence[float],
+) -> Packing:
     """Lay out channels and weights.
 
     Each guide channel weighs μ/n_g times its guide's weight and each style channel
@@ -199,7 +208,9 @@ def make_packing(guide_sizes, style_channels, guide_influence, guide_weights):
     )
 
 
-def occurrence_weight(uniformity, patch_width, source_pixels, target_patches):
+def occurrence_weight(
+    uniformity: float, patch_width: int, source_pixels: int, target_patches: int
+) -> int:
     """Fixed-point factor of W in φ: ``λ / (w² ω_best)``, since λρ = λω/ω_best and W = w²ω.
 
     Returns

@@ -3,8 +3,10 @@
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stylit_ref.metric.textures import Textures
+from stylit_ref.randomness.philox import FourWords
 
 
 class Proposal(NamedTuple):
@@ -27,15 +29,15 @@ class Proposal(NamedTuple):
     """
 
     textures: Textures
-    omega_sums: np.ndarray
+    omega_sums: NDArray[np.int32]
     occurrence_weight: int
     patch_width: int
-    nnf: np.ndarray
-    delta: np.ndarray
-    new_nnf: np.ndarray
-    new_delta: np.ndarray
+    nnf: NDArray[np.int32]
+    delta: NDArray[np.int64]
+    new_nnf: NDArray[np.int32]
+    new_delta: NDArray[np.int64]
 
-    def accepted(self):
+    def accepted(self) -> "Proposal":
         """The arguments after all proposals have become assignments: both fields are swapped."""
         return self._replace(
             nnf=self.new_nnf, delta=self.new_delta, new_nnf=self.nnf, new_delta=self.delta
@@ -59,12 +61,12 @@ class Commitment(NamedTuple):
         The number of pixels that moved is added to it.
     """
 
-    nnf: np.ndarray
-    delta: np.ndarray
-    proposed_nnf: np.ndarray
-    proposed_delta: np.ndarray
-    omega_sums: np.ndarray
+    nnf: NDArray[np.int32]
+    delta: NDArray[np.int64]
+    proposed_nnf: NDArray[np.int32]
+    proposed_delta: NDArray[np.int64]
+    omega_sums: NDArray[np.int32]
     occurrence_weight: int
     patch_width: int
-    stream: tuple
-    moves: np.ndarray
+    stream: FourWords
+    moves: NDArray[np.int64]

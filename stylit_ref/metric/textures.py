@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 
 class Textures(NamedTuple):
@@ -33,25 +34,25 @@ class Textures(NamedTuple):
         ``pair_weights`` with 0 for the guides.
     """
 
-    source: np.ndarray
-    target: np.ndarray
-    source_moments: np.ndarray
-    target_moments: np.ndarray
-    weights: np.ndarray
-    pair_weights: np.ndarray
-    moment_weights: np.ndarray
-    guide_map: np.ndarray | None = None
-    source_sums: np.ndarray | None = None
-    target_sums: np.ndarray | None = None
-    style_pair_weights: np.ndarray | None = None
+    source: NDArray[np.uint8]
+    target: NDArray[np.uint8]
+    source_moments: NDArray[np.int16]
+    target_moments: NDArray[np.int16]
+    weights: NDArray[np.int64]
+    pair_weights: NDArray[np.uint32]
+    moment_weights: NDArray[np.uint32]
+    guide_map: NDArray[np.bool_] | None = None
+    source_sums: NDArray[np.uint16 | np.uint32] | None = None
+    target_sums: NDArray[np.uint16 | np.uint32] | None = None
+    style_pair_weights: NDArray[np.uint32] | None = None
 
     @property
-    def mean_channels(self):
+    def mean_channels(self) -> int:
         """Number of packed guide channels with sums; 0 without a guide map."""
         return 0 if self.guide_map is None else self.source_sums.shape[2]
 
 
-def vector_sizes(textures, patch_width):
+def vector_sizes(textures: Textures, patch_width: int) -> tuple[int, int, int, int]:
     """The sizes that the metric's vector code for the CPU is compiled for.
 
     Parameters

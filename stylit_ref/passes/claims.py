@@ -1,5 +1,8 @@
 """Source patches claim target patches (StyLit, as told in Hauptfleisch 2020, 2.3.1)."""
 
+import numpy as np
+from numpy.typing import NDArray
+
 from stylit_ref.machine.kernel import kernel
 
 FREE, FIXED, CLAIMED = 0, 1, 2
@@ -8,8 +11,16 @@ FREE, FIXED, CLAIMED = 0, 1, 2
 
 @kernel(parallel=False)
 def settle_claims(
-    claims, errors, last_error, last_claims, limits, taken, patch_width, nnf, delta
-):  # fmt: skip
+    claims: NDArray[np.int32],
+    errors: NDArray[np.int64],
+    last_error: int,
+    last_claims: int,
+    limits: NDArray[np.int64],
+    taken: NDArray[np.int32],
+    patch_width: int,
+    nnf: NDArray[np.int32],
+    delta: NDArray[np.int64],
+) -> None:
     """Give each free target patch to the closest of the source patches that claim it.
 
     As many claims count as the error budget covers, from the smallest error on; equal errors rank
@@ -53,7 +64,13 @@ def settle_claims(
 
 
 @kernel(parallel=False)
-def invert_nnf(nnf, delta, patch_width, inverse, inverse_delta):
+def invert_nnf(
+    nnf: NDArray[np.int32],
+    delta: NDArray[np.int64],
+    patch_width: int,
+    inverse: NDArray[np.int32],
+    inverse_delta: NDArray[np.int64],
+) -> None:
     """Invert an NNF: each source patch gets the closest of the target patches assigned to it.
 
     Parameters

@@ -8,12 +8,14 @@ one class after another; each pixel compares its proposal once more, with the cu
 
 import numpy as np
 from numba import get_num_threads, njit, prange, set_num_threads
+from numpy.typing import NDArray
 
 from stylit_ref.formulae.improve_assignment import take_proposal
 from stylit_ref.formulae.patch_penalization import update_omega_sums
 from stylit_ref.machine.kernel import kernel
 from stylit_ref.metric.proposal import Commitment
 from stylit_ref.randomness.commit_classes import CLASS_STRIDE, commit_order
+from stylit_ref.randomness.philox import FourWords
 
 # Threads wait for each other 33 times in a commit. On fewer pixels than this, waiting costs more
 # than threads save, and far more if other programs delay one of them.
@@ -73,9 +75,16 @@ def _commit(commitment, columns, counts, order, bands):
 
 
 def commit(
-    nnf, delta, proposed_nnf, proposed_delta, omega_sums, occurrence_weight, patch_width, stream,
-    moves,
-):  # fmt: skip
+    nnf: NDArray[np.int32],
+    delta: NDArray[np.int64],
+    proposed_nnf: NDArray[np.int32],
+    proposed_delta: NDArray[np.int64],
+    omega_sums: NDArray[np.int32],
+    occurrence_weight: int,
+    patch_width: int,
+    stream: FourWords,
+    moves: NDArray[np.int64],
+) -> None:
     """Accept the proposals that lower φ, one class of target pixels after another.
 
     All decisions of a class read W as it was when the class began; then W is updated.

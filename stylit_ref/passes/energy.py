@@ -2,6 +2,7 @@
 
 import numpy as np
 from numba import prange
+from numpy.typing import NDArray
 
 from stylit_ref.machine.kernel import kernel
 
@@ -16,7 +17,9 @@ def _sum_rows(nnf, delta, omega_sums, sums):
                 sums[y, 2] += 1
 
 
-def energy(nnf, delta, omega_sums):
+def energy(
+    nnf: NDArray[np.int32], delta: NDArray[np.int64], omega_sums: NDArray[np.int32]
+) -> tuple[float, float]:
     """Mean δ and mean W over the assigned target patches.
 
     Parameters

@@ -2,7 +2,9 @@
 
 from functools import lru_cache
 
+import numpy as np
 from numba import prange
+from numpy.typing import NDArray
 
 from stylit_ref.formulae.guide_map import scaled_variance, variance_limit
 from stylit_ref.machine.kernel import kernel
@@ -20,7 +22,14 @@ def _make_kernel(patch_width):
     return guide_map_kernel
 
 
-def guide_map(texture, sums, weights, patch_width, epsilon, white):
+def guide_map(
+    texture: NDArray[np.uint8],
+    sums: NDArray[np.uint16 | np.uint32],
+    weights: NDArray[np.int64],
+    patch_width: int,
+    epsilon: float,
+    white: NDArray[np.bool_],
+) -> None:
     """Find the target patches whose guides vary by less than ε.
 
     Parameters

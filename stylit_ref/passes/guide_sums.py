@@ -2,7 +2,9 @@
 
 from functools import lru_cache
 
+import numpy as np
 from numba import prange
+from numpy.typing import NDArray
 
 from stylit_ref.formulae.guide_map import patch_sum
 from stylit_ref.machine.kernel import kernel
@@ -20,7 +22,9 @@ def _make_kernel(patch_width):
     return means_kernel
 
 
-def means(texture, sums, patch_width, first):
+def means(
+    texture: NDArray[np.uint8], sums: NDArray[np.uint16 | np.uint32], patch_width: int, first: int
+) -> None:
     """Sum the guide channels over every patch that lies in a texture.
 
     The thesis (Evaluate_Means) and the ports use the name "means". The pass gives sums, w² times

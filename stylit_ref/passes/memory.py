@@ -1,9 +1,10 @@
 """Memory of the arrays of a run; on the CPU nothing needs to be copied."""
 
 import numpy as np
+from numpy.typing import DTypeLike, NDArray
 
 
-def upload(array):
+def upload(array: np.ndarray) -> np.ndarray:
     """The array, in the memory that the passes work on.
 
     Parameters
@@ -13,7 +14,7 @@ def upload(array):
     return np.ascontiguousarray(array)
 
 
-def download(array):
+def download(array: np.ndarray) -> np.ndarray:
     """An array of the passes as a NumPy array.
 
     Parameters
@@ -24,11 +25,11 @@ def download(array):
     return array
 
 
-def wait():
+def wait() -> None:
     """Return when all passes that were called have finished: on the CPU at once."""
 
 
-def zeros(shape, dtype):
+def zeros(shape: int | tuple[int, ...], dtype: DTypeLike) -> np.ndarray:
     """An array of zeros for the passes.
 
     Parameters
@@ -39,7 +40,7 @@ def zeros(shape, dtype):
     return np.zeros(shape, dtype)
 
 
-def repeat_edge(image, radius):
+def repeat_edge(image: NDArray[np.uint8], radius: int) -> NDArray[np.uint8]:
     """An image with its edge pixels repeated ``radius`` times on every side.
 
     Parameters

@@ -6,9 +6,10 @@ the box sum of Ω. All three are maps of integers, so the order of additions doe
 """
 
 import numpy as np
+from numpy.typing import NDArray
 
 
-def count_assignments(nnf, source_size):
+def count_assignments(nnf: NDArray[np.int32], source_size: tuple[int, int]) -> NDArray[np.int32]:
     """n, the number of target patches assigned to each source centre.
 
     Parameters
@@ -29,7 +30,7 @@ def count_assignments(nnf, source_size):
     return counts.astype(np.int32).reshape(source_size)
 
 
-def box_sum(values, patch_width):
+def box_sum(values: NDArray[np.int32], patch_width: int) -> NDArray[np.int32]:
     """Sum over the patch around each pixel; values outside the image are zero.
 
     Parameters
@@ -48,7 +49,12 @@ def box_sum(values, patch_width):
     return sum(rows[:, dx : dx + width] for dx in range(patch_width))
 
 
-def occurrence_map(nnf, omega, omega_sums, patch_width):
+def occurrence_map(
+    nnf: NDArray[np.int32],
+    omega: NDArray[np.int32],
+    omega_sums: NDArray[np.int32],
+    patch_width: int,
+) -> None:
     """Ω and W of an NNF (InitOccurrenceMap, thesis 2.3).
 
     Parameters

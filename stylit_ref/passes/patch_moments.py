@@ -4,6 +4,7 @@ from functools import lru_cache
 
 import numpy as np
 from numba import get_num_threads, prange
+from numpy.typing import NDArray
 
 from stylit_ref.machine.kernel import kernel
 from stylit_ref.metric.lower_bound import LINE_MOMENTS, POLYNOMIALS, moment_width
@@ -65,8 +66,14 @@ def _make_kernel(patch_width, channels, style_channel, style_channels):
 
 
 def patch_moments(
-    texture, moments, patch_width, first, style_channel, style_channels, style_only=False
-):
+    texture: NDArray[np.uint8],
+    moments: NDArray[np.int16],
+    patch_width: int,
+    first: int,
+    style_channel: int,
+    style_channels: int,
+    style_only: bool = False,
+) -> None:
     """Compute the moments of every patch that lies in a texture.
 
     Parameters
@@ -89,7 +96,7 @@ def patch_moments(
     run(texture, moments, first, style_channel if style_only else 0, columns)
 
 
-def moments_storage(height, width, lanes):
+def moments_storage(height: int, width: int, lanes: int) -> NDArray[np.int16]:
     """Zeros for the moments of all patches; the array begins at the start of a cache line.
 
     Parameters

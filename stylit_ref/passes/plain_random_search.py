@@ -13,6 +13,7 @@ from functools import lru_cache
 
 import numpy as np
 from numba import prange
+from numpy.typing import NDArray
 
 from stylit_ref.formulae.candidates import random_candidate
 from stylit_ref.formulae.patch_penalization import penalization
@@ -24,7 +25,8 @@ from stylit_ref.formulae.search_radii import (
 )
 from stylit_ref.machine.kernel import kernel
 from stylit_ref.metric.fast_metric import make_fast_metric
-from stylit_ref.metric.textures import vector_sizes
+from stylit_ref.metric.textures import Textures, vector_sizes
+from stylit_ref.randomness.philox import FourWords
 from stylit_ref.randomness.random_stream import random_words
 
 
@@ -66,9 +68,17 @@ def _make_kernel(patch_width, channels, moments_a_patch, mean_channels):
 
 
 def plain_random_search(
-    textures, omega_sums, occurrence_weight, patch_width,
-    nnf, delta, new_nnf, new_delta, stream, side=None,
-):  # fmt: skip
+    textures: Textures,
+    omega_sums: NDArray[np.int32],
+    occurrence_weight: int,
+    patch_width: int,
+    nnf: NDArray[np.int32],
+    delta: NDArray[np.int64],
+    new_nnf: NDArray[np.int32],
+    new_delta: NDArray[np.int64],
+    stream: FourWords,
+    side: int | None = None,
+) -> None:
     """Parameters and results are those of :func:`stylit_ref.passes.random_search`."""
     run = _make_kernel(*vector_sizes(textures, patch_width))
     radii = number_of_radii(side or max(delta.shape))

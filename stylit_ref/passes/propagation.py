@@ -4,12 +4,13 @@ from functools import lru_cache
 
 import numpy as np
 from numba import prange
+from numpy.typing import NDArray
 
 from stylit_ref.formulae.candidates import neighbour_offsets, propagation_candidate
 from stylit_ref.formulae.patch_penalization import penalization
 from stylit_ref.machine.kernel import kernel
 from stylit_ref.metric.fast_metric import make_fast_metric
-from stylit_ref.metric.textures import vector_sizes
+from stylit_ref.metric.textures import Textures, vector_sizes
 
 
 @lru_cache
@@ -54,9 +55,16 @@ def _make_kernel(patch_width, channels, moments_a_patch, mean_channels):
 
 
 def propagation(
-    textures, omega_sums, occurrence_weight, patch_width,
-    nnf, delta, new_nnf, new_delta, distance,
-):  # fmt: skip
+    textures: Textures,
+    omega_sums: NDArray[np.int32],
+    occurrence_weight: int,
+    patch_width: int,
+    nnf: NDArray[np.int32],
+    delta: NDArray[np.int64],
+    new_nnf: NDArray[np.int32],
+    new_delta: NDArray[np.int64],
+    distance: int,
+) -> None:
     """Offer every target patch the assignments of four neighbours, shifted back.
 
     Ω does not change during the pass. Candidates come in the thesis' order: the neighbours to the

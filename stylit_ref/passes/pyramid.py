@@ -6,6 +6,7 @@ and is left out.
 
 import numpy as np
 from numba import prange
+from numpy.typing import NDArray
 
 from stylit_ref.formulae.candidates import upsampled_assignment
 from stylit_ref.formulae.rounding import block_mean
@@ -20,7 +21,7 @@ def _average_blocks(image, half):
                 half[y, x, c] = block_mean(image, y, x, c)
 
 
-def downsample(image):
+def downsample(image: NDArray[np.uint8]) -> NDArray[np.uint8]:
     """Halve an image: means of 2 x 2 pixels, rounded half up.
 
     Parameters
@@ -38,7 +39,13 @@ def downsample(image):
 
 
 @kernel()
-def upsample_nnf(coarse_nnf, nnf, patch_width, source_height, source_width):
+def upsample_nnf(
+    coarse_nnf: NDArray[np.int32],
+    nnf: NDArray[np.int32],
+    patch_width: int,
+    source_height: int,
+    source_width: int,
+) -> None:
     """Carry assignments to the next finer level.
 
     Parameters

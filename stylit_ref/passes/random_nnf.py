@@ -1,14 +1,22 @@
 """Random initial assignments (RandomNNF, thesis 2.3; Kernel_RandomNNF, 3.4)."""
 
+import numpy as np
 from numba import prange
+from numpy.typing import NDArray
 
 from stylit_ref.machine.kernel import kernel
-from stylit_ref.randomness.philox import uniform_below
+from stylit_ref.randomness.philox import FourWords, uniform_below
 from stylit_ref.randomness.random_stream import random_words
 
 
 @kernel()
-def random_nnf(nnf, patch_width, source_height, source_width, stream):
+def random_nnf(
+    nnf: NDArray[np.int32],
+    patch_width: int,
+    source_height: int,
+    source_width: int,
+    stream: FourWords,
+) -> None:
     """Assign a uniformly random source patch to every target patch.
 
     Parameters

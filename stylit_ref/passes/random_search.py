@@ -4,6 +4,7 @@ from functools import lru_cache
 
 import numpy as np
 from numba import njit, prange
+from numpy.typing import NDArray
 
 from stylit_ref.formulae.candidates import random_candidate
 from stylit_ref.formulae.patch_penalization import penalization
@@ -17,7 +18,8 @@ from stylit_ref.machine.kernel import kernel
 from stylit_ref.machine.prefetch import prefetch
 from stylit_ref.metric.fast_metric import make_fast_metric
 from stylit_ref.metric.lower_bound import LINE_MOMENTS
-from stylit_ref.metric.textures import vector_sizes
+from stylit_ref.metric.textures import Textures, vector_sizes
+from stylit_ref.randomness.philox import FourWords
 from stylit_ref.randomness.random_stream import random_words
 
 # Random candidates are in no cache, and none depends on the result of another. So a few target
@@ -47,9 +49,18 @@ def _make_kernel(patch_width, channels, moments_a_patch, mean_channels):
 
     @kernel(patch_width, channels, moments_a_patch, mean_channels)
     def random_search_kernel(
-        textures, omega_sums, occurrence_weight, nnf, delta, new_nnf, new_delta, stream,
-        all_candidates, all_promising, all_counts,
-    ):  # fmt: skip
+        textures,
+        omega_sums,
+        occurrence_weight,
+        nnf,
+        delta,
+        new_nnf,
+        new_delta,
+        stream,
+        all_candidates,
+        all_promising,
+        all_counts,
+    ):
         height, width = delta.shape
         source_height, source_width = omega_sums.shape
         radii = all_candidates.shape[2]
@@ -109,9 +120,17 @@ def _make_kernel(patch_width, channels, moments_a_patch, mean_channels):
 
 
 def random_search(
-    textures, omega_sums, occurrence_weight, patch_width,
-    nnf, delta, new_nnf, new_delta, stream, side=None,
-):  # fmt: skip
+    textures: Textures,
+    omega_sums: NDArray[np.int32],
+    occurrence_weight: int,
+    patch_width: int,
+    nnf: NDArray[np.int32],
+    delta: NDArray[np.int64],
+    new_nnf: NDArray[np.int32],
+    new_delta: NDArray[np.int64],
+    stream: FourWords,
+    side: int | None = None,
+) -> None:
     """Offer every target patch random candidates at radius 1, 2, 4, ...
 
     The squares are centred on the assignment that the pass begins with; their radius doubles up to

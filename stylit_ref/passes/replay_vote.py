@@ -2,13 +2,20 @@
 
 import numpy as np
 from numba import prange
+from numpy.typing import NDArray
 
 from stylit_ref.formulae.voting import voted_pixel
 from stylit_ref.machine.kernel import kernel
 
 
 @kernel()
-def replay_vote(style, means, nnf, patch_width, scale):
+def replay_vote(
+    style: NDArray[np.uint8 | np.uint16 | np.float32],
+    means: NDArray[np.float64],
+    nnf: NDArray[np.int32],
+    patch_width: int,
+    scale: int,
+) -> None:
     """Mean of the votes as in :func:`stylit_ref.passes.vote.vote`, at ``scale`` times the size.
 
     Parameters

@@ -1,15 +1,27 @@
 """PatchMatch in scan-line order with Ω live: the simplest reference (thesis 2.4)."""
 
+import numpy as np
+from numpy.typing import NDArray
+
 from stylit_ref.formulae.candidates import propagation_candidate, random_candidate
 from stylit_ref.formulae.improve_assignment import improve_assignment
 from stylit_ref.machine.kernel import kernel
+from stylit_ref.randomness.philox import FourWords
 from stylit_ref.randomness.random_stream import random_words
 
 
 @kernel(parallel=False)
 def scanline(
-    source, target, weights, omega, occurrence_weight, patch_width, nnf, stream, reverse
-):  # fmt: skip
+    source: NDArray[np.uint8],
+    target: NDArray[np.uint8],
+    weights: NDArray[np.int64],
+    omega: NDArray[np.int32],
+    occurrence_weight: int,
+    patch_width: int,
+    nnf: NDArray[np.int32],
+    stream: FourWords,
+    reverse: bool,
+) -> None:
     """One PatchMatch iteration: propagation and random search, one patch after another.
 
     Parameters

@@ -2,11 +2,13 @@
 
 from functools import lru_cache
 
+import numpy as np
 from numba import prange
+from numpy.typing import NDArray
 
 from stylit_ref.machine.kernel import kernel
 from stylit_ref.metric.fast_metric import make_fast_metric
-from stylit_ref.metric.textures import vector_sizes
+from stylit_ref.metric.textures import Textures, vector_sizes
 
 
 @lru_cache
@@ -25,7 +27,9 @@ def _make_kernel(patch_width, channels, moments_a_patch, mean_channels):
     return similarity_kernel
 
 
-def similarity(textures, patch_width, nnf, delta):
+def similarity(
+    textures: Textures, patch_width: int, nnf: NDArray[np.int32], delta: NDArray[np.int64]
+) -> None:
     """Evaluate δ of every assignment.
 
     Parameters

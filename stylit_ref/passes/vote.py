@@ -4,6 +4,7 @@ from functools import lru_cache
 
 import numpy as np
 from numba import prange
+from numpy.typing import NDArray
 
 from stylit_ref.formulae.rounding import rounded_mean
 from stylit_ref.formulae.voting import (
@@ -94,7 +95,15 @@ def _make_robust_kernel(patch_width, style_channels):
     return robust_vote_kernel
 
 
-def vote(source, target, nnf, patch_width, style_channel, style_channels, outliers=0):
+def vote(
+    source: NDArray[np.uint8],
+    target: NDArray[np.uint8],
+    nnf: NDArray[np.int32],
+    patch_width: int,
+    style_channel: int,
+    style_channels: int,
+    outliers: int = 0,
+) -> None:
     """Average the votes for every pixel of the target's style.
 
     The patches centred at ``(y + dy, x + dx)`` vote for the pixel ``(y, x)``, if they lie in the

@@ -1,8 +1,10 @@
 """The interleaved classes of target pixels, which commit one after another."""
 
+import numpy as np
 from numba import njit
+from numpy.typing import NDArray
 
-from stylit_ref.randomness.philox import uniform_below
+from stylit_ref.randomness.philox import FourWords, uniform_below
 from stylit_ref.randomness.random_stream import random_words
 
 CLASS_STRIDE = 4
@@ -10,7 +12,7 @@ CLASS_STRIDE = 4
 
 
 @njit
-def commit_order(stream, order):
+def commit_order(stream: FourWords, order: NDArray[np.int32]) -> None:
     """Shuffle the classes (Fisher-Yates), so that none always chooses first.
 
     Parameters

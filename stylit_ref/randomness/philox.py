@@ -14,9 +14,14 @@ _WEYL_0 = np.uint32(0x9E3779B9)
 _WEYL_1 = np.uint32(0xBB67AE85)
 _ROUNDS = 10
 
+# A draw of random numbers; or what tells one stream of them from another.
+FourWords = tuple[np.uint32, np.uint32, np.uint32, np.uint32]
+
 
 @njit
-def philox4x32(counter_0, counter_1, counter_2, counter_3, key_0, key_1):
+def philox4x32(
+    counter_0: int, counter_1: int, counter_2: int, counter_3: int, key_0: int, key_1: int
+) -> FourWords:
     """Encrypt a 128-bit counter with a 64-bit key into four random words.
 
     Parameters
@@ -43,6 +48,6 @@ def philox4x32(counter_0, counter_1, counter_2, counter_3, key_0, key_1):
 
 
 @njit
-def uniform_below(word, n):
+def uniform_below(word: int, n: int) -> int:
     """Map a random word to an integer in ``[0, n)``: ``floor(word * n / 2**32)``."""
     return np.int64((np.uint64(word) * np.uint64(n)) >> np.uint64(32))

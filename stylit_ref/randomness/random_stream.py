@@ -14,7 +14,7 @@ key         the seed, low word first
 import numpy as np
 from numba import njit
 
-from stylit_ref.randomness.philox import philox4x32
+from stylit_ref.randomness.philox import FourWords, philox4x32
 
 RANDOM_NNF, RANDOM_SEARCH, COMMIT_ORDER, RETRIEVAL_NNF, RETRIEVAL_SEARCH = 1, 2, 3, 4, 5
 
@@ -22,7 +22,9 @@ ITERATIONS = 1 << 16
 """Number of iterations that the counter can tell apart; the same for votes and levels."""
 
 
-def random_stream(seed, purpose, level=0, vote=0, iteration=0):
+def random_stream(
+    seed: int, purpose: int, level: int = 0, vote: int = 0, iteration: int = 0
+) -> FourWords:
     """Counter words 2 and 3 and the key of a pass.
 
     Parameters
@@ -43,6 +45,6 @@ def random_stream(seed, purpose, level=0, vote=0, iteration=0):
 
 
 @njit
-def random_words(stream, position, draw):
+def random_words(stream: FourWords, position: int, draw: int) -> FourWords:
     """Four random 32-bit words of a pixel's draw."""
     return philox4x32(position, draw, stream[0], stream[1], stream[2], stream[3])

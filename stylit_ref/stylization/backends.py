@@ -1,11 +1,12 @@
 """Backends: the passes on the CPU, and several ways to run them as CUDA kernels."""
 
-from collections.abc import Callable
-from types import ModuleType
 from typing import NamedTuple
 
 from stylit_ref import passes
 from stylit_ref.errors import InputError
+from stylit_ref.machine.replaced import Passes
+from stylit_ref.stylization.params import Params
+from stylit_ref.stylization.schedules import Iterate
 
 
 class Backend(NamedTuple):
@@ -19,8 +20,8 @@ class Backend(NamedTuple):
         A PatchMatch iteration that replaces that of the schedule.
     """
 
-    passes: ModuleType
-    iterate: Callable | None = None
+    passes: Passes
+    iterate: Iterate | None = None
 
 
 CPU = Backend(passes)
@@ -67,7 +68,7 @@ GPU_BACKENDS = {
 BACKENDS = ("cpu", "auto", *GPU_BACKENDS)
 
 
-def find_backend(name: str, params) -> Backend:
+def find_backend(name: str, params: Params) -> Backend:
     """Find a backend for a method.
 
     Parameters

@@ -1,25 +1,30 @@
 """What ``stylize`` refuses at the door; every refusal is one sentence with the sizes."""
 
 import logging
+from collections.abc import Sequence
 from dataclasses import replace
 from numbers import Integral
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from stylit_ref.arrays import as_array
 from stylit_ref.errors import InputError
 from stylit_ref.formulae.patch_penalization import omega_best
 from stylit_ref.metric.lower_bound import BOUND_SCALE
-from stylit_ref.metric.packing import ONE, occurrence_weight
+from stylit_ref.metric.packing import ONE, Packing, occurrence_weight
 from stylit_ref.notes import note
+from stylit_ref.stylization.exemplar import Exemplar
+from stylit_ref.stylization.params import Params
+from stylit_ref.stylization.target import Target
 
 
-def size_text(shape):
+def size_text(shape: tuple[int, ...]) -> str:
     """``width x height`` of an array shape, as images are spoken of."""
     return f"{shape[1]}x{shape[0]}"
 
 
-def as_image(array, name):
+def as_image(array: ArrayLike, name: str) -> NDArray[np.uint8]:
     """The array as (H, W, n) uint8."""
     array = as_array(array, name)
     if array.dtype != np.uint8:
@@ -35,7 +40,11 @@ def as_image(array, name):
     return array
 
 
-def check_source_guides(style, sources, names=None):
+def check_source_guides(
+    style: NDArray[np.uint8],
+    sources: Sequence[NDArray[np.uint8]],
+    names: Sequence[str] | None = None,
+) -> None:
     """Guides of the source fit the style.
 
     ``names`` are what the images are called in a refusal.
@@ -51,7 +60,12 @@ def check_source_guides(style, sources, names=None):
             )
 
 
-def check_target_guides(targets, channels, names=None, source_names=None):
+def check_target_guides(
+    targets: Sequence[NDArray[np.uint8]],
+    channels: Sequence[int],
+    names: Sequence[str] | None = None,
+    source_names: Sequence[str] | None = None,
+) -> None:
     """Guides of the target fit each other and those of the source, by their ``channels``."""
     if len(channels) != len(targets):
         raise InputError(
@@ -78,7 +92,13 @@ def check_target_guides(targets, channels, names=None, source_names=None):
             )
 
 
-def check_guides(style, sources, targets, source_names=None, target_names=None):
+def check_guides(
+    style: NDArray[np.uint8],
+    sources: Sequence[NDArray[np.uint8]],
+    targets: Sequence[NDArray[np.uint8]],
+    source_names: Sequence[str] | None = None,
+    target_names: Sequence[str] | None = None,
+) -> None:
     """Guides come in pairs and fit the style and each other."""
     channels = [guide.shape[2] for guide in sources]
     if len(sources) == len(targets):
@@ -106,7 +126,12 @@ def _names(parameter, guides):
     return [f"{parameter}[{k}]" for k in range(len(guides))]
 
 
-def check_mask(mask, fill, target_size, style_channels):
+def check_mask(
+    mask: NDArray[np.bool_],
+    fill: ArrayLike | None,
+    target_size: tuple[int, int],
+    style_channels: int,
+) -> None:
     """Mask and fill have the target's size, and something is left to synthesize."""
     if mask.dtype != bool or mask.ndim != 2:
         raise InputError(
@@ -134,7 +159,9 @@ def check_mask(mask, fill, target_size, style_channels):
         )
 
 
-def fit_levels(params, source_size, target_size):
+def fit_levels(
+    params: Params, source_size: tuple[int, int], target_size: tuple[int, int]
+) -> Params:
     """Fewer levels where the coarsest would be smaller than a patch."""
     for name, shape in (("source", source_size), ("target", target_size)):
         if min(shape) < params.patch_width:
@@ -155,7 +182,7 @@ def fit_levels(params, source_size, target_size):
     return replace(params, levels=levels)
 
 
-def check_halves(exemplar, target, params):
+def check_halves(exemplar: Exemplar, target: Target, params: Params) -> None:
     """Exemplar, target and parameters of a run belong together, and its integers fit."""
     if not exemplar.packing.agrees_with(target.packing) or exemplar.passes is not target.passes:
         raise InputError(
@@ -179,7 +206,12 @@ def check_halves(exemplar, target, params):
     check_range(exemplar.packing, params, exemplar.size, patches)
 
 
-def check_nnf(nnf, exemplar_size, synthesized, patch_width):
+def check_nnf(
+    nnf: NDArray[np.int32],
+    exemplar_size: tuple[int, int],
+    synthesized: NDArray[np.bool_],
+    patch_width: int,
+) -> None:
     """An NNF to begin with: a source patch for every target patch that takes part, and no other."""
     shape = *synthesized.shape, 2
     if nnf.dtype != np.int32 or nnf.shape != shape:
@@ -199,13 +231,15 @@ def check_nnf(nnf, exemplar_size, synthesized, patch_width):
         )
 
 
-def check_seed(seed):
+def check_seed(seed: int) -> None:
     """A seed is 64 bits."""
     if not isinstance(seed, Integral) or not 0 <= seed < 1 << 64:
         raise InputError(f"is {seed}; it must be an integer from 0 to 2**64 - 1", parameter="seed")
 
 
-def check_range(packing, params, source_size, target_patches):
+def check_range(
+    packing: Packing, params: Params, source_size: tuple[int, int], target_patches: int
+) -> None:
     """The integers of the metric must fit: W 32 bits; φ, times the scale of its bound, 64."""
     patch_pixels = params.patch_width**2
     if target_patches * patch_pixels >= 1 << 31:

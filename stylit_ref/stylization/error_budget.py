@@ -24,7 +24,10 @@ Points that the text leaves open, and the choice made here:
 - Equal errors rank in the order of rows (:func:`stylit_ref.passes.claims.settle_claims`).
 """
 
+from typing import Literal
+
 import numpy as np
+from numpy.typing import NDArray
 
 SHARE = 0.9
 """Budget over the sum of all errors if no hyperbola can be fitted."""
@@ -33,7 +36,7 @@ SAMPLES = 1001
 """Number of sorted errors, evenly spaced, that a hyperbola is fitted to."""
 
 
-def fit_hyperbola(x, y):
+def fit_hyperbola(x: NDArray[np.float64], y: NDArray[np.float64]) -> tuple[float, float]:
     """Fit :math:`(a - bx)^{-1}`, with little influence of outliers.
 
     Parameters
@@ -64,7 +67,7 @@ def fit_hyperbola(x, y):
     return first, first - last
 
 
-def knee(a, b):
+def knee(a: float, b: float) -> float:
     r"""Find the x where the slope of :math:`f(x) = (a - bx)^{-1}` over f(1) is 1; x is at most 1.
 
     :math:`f' = b f^2`, so :math:`a - b x_k = \sqrt{b (a - b)}`.
@@ -74,7 +77,9 @@ def knee(a, b):
     return (a - np.sqrt(b * (a - b))) / b
 
 
-def correspondences_within_budget(errors, budget):
+def correspondences_within_budget(
+    errors: NDArray[np.int64], budget: Literal["hyperbola"] | float
+) -> int:
     """Number of the smallest errors that the budget covers.
 
     Parameters

@@ -1,11 +1,12 @@
 """The source of a stylization: made once, shared by targets and runs."""
 
 from functools import cached_property
-from types import ModuleType
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stylit_ref.formulae.guide_map import sums_dtype
+from stylit_ref.machine.replaced import Passes
 from stylit_ref.metric.packing import Packing
 
 
@@ -21,17 +22,24 @@ class ExemplarLevel:
         Ā, in the memory of the passes.
     """
 
-    def __init__(self, passes, packing, patch_width, texture):
+    passes: Passes
+    packing: Packing
+    patch_width: int
+    texture: NDArray[np.uint8]
+
+    def __init__(
+        self, passes: Passes, packing: Packing, patch_width: int, texture: NDArray[np.uint8]
+    ) -> None:
         self.passes, self.packing, self.patch_width = passes, packing, patch_width
         self.texture = texture
 
     @property
-    def size(self):
+    def size(self) -> tuple[int, int]:
         """Rows and columns."""
         return self.texture.shape[:2]
 
     @cached_property
-    def moments(self):
+    def moments(self) -> NDArray[np.int16]:
         """Moments of every patch, (H_A, W_A, moments) int16, at the patch's centre."""
         moments = self.passes.moments_storage(*self.size, len(self.packing.moments))
         self.passes.patch_moments(
@@ -41,7 +49,7 @@ class ExemplarLevel:
         return moments
 
     @cached_property
-    def guide_sums(self):
+    def guide_sums(self) -> NDArray[np.uint16 | np.uint32]:
         """M_A times w² (5.2.2): the sums of the guides over each patch, (H_A, W_A, n) integers."""
         shape = *self.size, self.packing.style_channel
         sums = self.passes.zeros(shape, sums_dtype(self.patch_width))
@@ -65,7 +73,13 @@ class Exemplar:
         Packed texture Ā of the finest level, a NumPy array.
     """
 
-    def __init__(self, passes: ModuleType, packing: Packing, patch_width: int, texture: np.ndarray):
+    passes: Passes
+    packing: Packing
+    patch_width: int
+
+    def __init__(
+        self, passes: Passes, packing: Packing, patch_width: int, texture: NDArray[np.uint8]
+    ) -> None:
         self.passes, self.packing, self.patch_width = passes, packing, patch_width
         self._texture = texture
         self._textures = [passes.upload(texture)]
@@ -91,7 +105,7 @@ class Exemplar:
         """Free what was computed for a level: about four times the memory of its texture."""
         self._levels.pop(depth, None)
 
-    def repainted(self, style: np.ndarray) -> "Exemplar":
+    def repainted(self, style: NDArray[np.uint8]) -> "Exemplar":
         """An exemplar with another style over the same guides; both share the sums of the guides.
 
         Parameters

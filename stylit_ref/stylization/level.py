@@ -1,17 +1,25 @@
 """One pyramid level of a run: its textures, its assignments, and what is computed from them."""
 
-from types import ModuleType
+from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
-from stylit_ref.metric.packing import ONE, occurrence_weight
+from stylit_ref.machine.replaced import Passes
+from stylit_ref.metric.packing import ONE, Packing, occurrence_weight
 from stylit_ref.metric.proposal import Commitment, Proposal
 from stylit_ref.metric.textures import Textures
+from stylit_ref.randomness.philox import FourWords
 from stylit_ref.stylization.exemplar import ExemplarLevel
 from stylit_ref.stylization.target import TargetLevel
 
+if TYPE_CHECKING:  # params imports the methods, which import this module
+    from stylit_ref.stylization.params import Params
 
-def join(exemplar: ExemplarLevel, target: TargetLevel, guide_map=None) -> Textures:
+
+def join(
+    exemplar: ExemplarLevel, target: TargetLevel, guide_map: NDArray[np.bool_] | None = None
+) -> Textures:
     """Join source and target into the textures that the passes take; memory is shared.
 
     Parameters
@@ -74,9 +82,24 @@ class Level:
         Assignments that the level's commits have changed.
     """
 
-    def __init__(self, exemplar: ExemplarLevel, target: TargetLevel, params):
+    target: TargetLevel
+    passes: Passes
+    packing: Packing
+    patch_width: int
+    vote_outliers: int
+    textures: Textures
+    nnf: NDArray[np.int32]
+    delta: NDArray[np.int64]
+    proposed_nnf: NDArray[np.int32]
+    proposed_delta: NDArray[np.int64]
+    omega: NDArray[np.int32]
+    omega_sums: NDArray[np.int32]
+    occurrence_weight: int
+    moves: NDArray[np.int64]
+
+    def __init__(self, exemplar: ExemplarLevel, target: TargetLevel, params: "Params") -> None:
         self.target = target
-        self.passes: ModuleType = target.passes
+        self.passes = target.passes
         self.packing, self.patch_width = target.packing, target.patch_width
         self.vote_outliers = params.vote_outliers
         has_guide_map = params.traits.has_guide_map
@@ -106,7 +129,7 @@ class Level:
             self.nnf, self.delta, self.proposed_nnf, self.proposed_delta,
         )  # fmt: skip
 
-    def commitment(self, stream) -> Commitment:
+    def commitment(self, stream: FourWords) -> Commitment:
         """The arguments of a commit; ``stream`` decides the order of the classes."""
         return Commitment(
             self.nnf, self.delta, self.proposed_nnf, self.proposed_delta,
@@ -114,15 +137,15 @@ class Level:
         )  # fmt: skip
 
     @property
-    def style(self):
+    def style(self) -> NDArray[np.uint8]:
         """The current synthesized style B', (H_B, W_B, n) uint8, a NumPy array."""
         return self.target.style
 
-    def set_nnf(self, nnf: np.ndarray) -> None:
+    def set_nnf(self, nnf: NDArray[np.int32]) -> None:
         """Set the NNF, (H_B, W_B, 2) int32; call :meth:`init_occurrence_map` to update Ω."""
         self.nnf = self.passes.upload(nnf.copy())
 
-    def set_style(self, image: np.ndarray) -> None:
+    def set_style(self, image: NDArray[np.uint8]) -> None:
         """Set B', and compute δ of the NNF with it.
 
         Parameters
@@ -138,11 +161,11 @@ class Level:
         self.textures = self.textures._replace(target=self.target.texture)
         self.update_similarity()
 
-    def init_occurrence_map(self):
+    def init_occurrence_map(self) -> None:
         """InitOccurrenceMap (2.3): compute Ω and W of the current NNF."""
         self.passes.occurrence_map(self.nnf, self.omega, self.omega_sums, self.patch_width)
 
-    def vote(self):
+    def vote(self) -> None:
         """E-step of 2.3: compute B' from the NNF, then δ of the NNF with the new B'.
 
         Call :meth:`update_moments` before the next search.
@@ -158,20 +181,20 @@ class Level:
         )
         self.update_similarity()
 
-    def update_similarity(self):
+    def update_similarity(self) -> None:
         """Compute δ of the current NNF."""
         self.passes.similarity(self.textures, self.patch_width, self.nnf, self.delta)
 
-    def update_moments(self):
+    def update_moments(self) -> None:
         """Compute the moments of the target's patches with the current B', for the search."""
         self.target.update_moments()
 
-    def take_moves(self):
+    def take_moves(self) -> int:
         """Number of assignments that commits have changed since the last call."""
         before, self._moves_taken = self._moves_taken, int(self.passes.download(self.moves)[0])
         return self._moves_taken - before
 
-    def energy(self):
+    def energy(self) -> tuple[float, float]:
         """Mean δ and mean λρ, in the units of the thesis."""
         delta, omega_sum = self.passes.energy(self.nnf, self.delta, self.omega_sums)
         return delta / ONE, self.occurrence_weight * omega_sum / ONE

@@ -7,9 +7,10 @@ the mask.
 """
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 
-def active_patches(mask, patch_width):
+def active_patches(mask: NDArray[np.bool_], patch_width: int) -> NDArray[np.bool_]:
     """Target patches that take part: all that touch an unmasked pixel.
 
     Parameters
@@ -30,7 +31,7 @@ def active_patches(mask, patch_width):
     return dilation(~mask, footprint_rectangle((patch_width, patch_width)))
 
 
-def downsample_mask(synthesized):
+def downsample_mask(synthesized: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Halve a map of synthesized pixels: a pixel is synthesized if any of its finer pixels is.
 
     Parameters
@@ -47,7 +48,9 @@ def downsample_mask(synthesized):
     )
 
 
-def fill_masked(image, mask, fill):
+def fill_masked(
+    image: NDArray[np.uint8], mask: NDArray[np.bool_], fill: ArrayLike | None
+) -> NDArray[np.uint8]:
     """Put ``fill`` into the masked pixels, or make them transparent.
 
     Parameters

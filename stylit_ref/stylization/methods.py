@@ -1,9 +1,10 @@
 """The methods of stylization and their differences."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 from stylit_ref.stylization import schedules, stylit
+from stylit_ref.stylization.progress import SearchStep
 
 
 @dataclass(frozen=True)
@@ -30,7 +31,7 @@ class Method:
 
     name: str
     text: str
-    search: Callable
+    search: Callable[..., Iterator[SearchStep]]
     heeds: tuple[str, ...]
     has_guide_map: bool = False
     schedules: tuple[str, ...] = ("propose_commit",)
@@ -73,7 +74,7 @@ METHODS = {
 """Every method, by name."""
 
 
-def heeded_by(name):
+def heeded_by(name: str) -> list[str] | None:
     """Names of the methods that use a parameter, or None if all of them do."""
     methods = [method.name for method in METHODS.values() if name in method.heeds]
     return methods or None

@@ -133,7 +133,7 @@ class Params:
         "with --method stylit: α, how many times its least error a patch may accept",
     )
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         check_fields(self)
         width = self.patch_width  # one vote is always kept
         votes = Integer(0, width**2 - 1, remark=f", for patches of width {width}")

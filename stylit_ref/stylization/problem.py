@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stylit_ref.arrays import as_array
 from stylit_ref.errors import InputError
@@ -24,8 +25,8 @@ from stylit_ref.stylization.target import Target
 
 
 def make_exemplar(
-    style: np.ndarray,
-    source_guides: Sequence[np.ndarray],
+    style: NDArray[np.uint8],
+    source_guides: Sequence[NDArray[np.uint8]],
     params: Params | None = None,
     *,
     backend: Backend = CPU,
@@ -67,7 +68,10 @@ def make_exemplar(
 
 
 def make_target(
-    target_guides: Sequence[np.ndarray], exemplar: Exemplar, *, mask: np.ndarray | None = None
+    target_guides: Sequence[NDArray[np.uint8]],
+    exemplar: Exemplar,
+    *,
+    mask: NDArray[np.bool_] | None = None,
 ) -> Target:
     """Check the guides of a target, and lay them out for an exemplar like this one.
 
@@ -96,14 +100,14 @@ def make_target(
 
 
 def make_synthesis(
-    style: np.ndarray,
-    source_guides: Sequence[np.ndarray],
-    target_guides: Sequence[np.ndarray],
+    style: NDArray[np.uint8],
+    source_guides: Sequence[NDArray[np.uint8]],
+    target_guides: Sequence[NDArray[np.uint8]],
     params: Params | None = None,
     *,
     seed: int = 0,
-    mask: np.ndarray | None = None,
-    fill: np.ndarray | None = None,
+    mask: NDArray[np.bool_] | None = None,
+    fill: NDArray[np.uint8] | None = None,
     backend: Backend = CPU,
 ) -> Synthesis:
     """Check images and parameters, and lay them out for a run.

@@ -2,8 +2,10 @@
 
 import logging
 from numbers import Integral
+from typing import TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stylit_ref.arrays import as_array
 from stylit_ref.errors import InputError
@@ -11,10 +13,12 @@ from stylit_ref.notes import note
 from stylit_ref.passes import replay_vote
 from stylit_ref.stylization.checks import size_text
 
+Value = TypeVar("Value", bound=np.uint8 | np.uint16 | np.float32)
+
 
 def replay(
-    nnf: np.ndarray, style: np.ndarray, *, patch_width: int = 5, scale: int = 1
-) -> np.ndarray:
+    nnf: NDArray[np.int32], style: NDArray[Value], *, patch_width: int = 5, scale: int = 1
+) -> NDArray[Value]:
     """Vote a style image through a nearest-neighbour field, at its own bit depth.
 
     With the style, the NNF and the patch width of a run the result is that run's

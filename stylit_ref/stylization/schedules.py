@@ -33,12 +33,19 @@ The canonical iteration in every detail:
    updated when the class is done.
 """
 
+from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING
+
 from stylit_ref.formulae.candidates import PROPAGATION_DISTANCES
 from stylit_ref.randomness.random_stream import COMMIT_ORDER, RANDOM_SEARCH, random_stream
+from stylit_ref.stylization.level import Level
 from stylit_ref.stylization.progress import SearchStep
 
+if TYPE_CHECKING:  # params imports the methods, which import this module
+    from stylit_ref.stylization.params import Params
 
-def propose_commit(level, seed, level_number, vote, iteration):
+
+def propose_commit(level: Level, seed: int, level_number: int, vote: int, iteration: int) -> int:
     """One PatchMatch iteration of the default schedule; returns the assignments that changed."""
     passes = level.passes
     commit_stream = random_stream(seed, COMMIT_ORDER, level_number, vote, iteration)
@@ -51,7 +58,7 @@ def propose_commit(level, seed, level_number, vote, iteration):
     return level.take_moves()
 
 
-def scanline(level, seed, level_number, vote, iteration):
+def scanline(level: Level, seed: int, level_number: int, vote: int, iteration: int) -> None:
     """One PatchMatch iteration of thesis 2.4, Ω live."""
     level.passes.scanline(
         level.textures.source,
@@ -68,12 +75,17 @@ def scanline(level, seed, level_number, vote, iteration):
     level.init_occurrence_map()
 
 
-SCHEDULES = {"propose_commit": propose_commit, "scanline": scanline}
-"""One iteration of each, ``(level, seed, level_number, vote, iteration) -> int or None``: returns
-the number of assignments that changed, or None if they are not counted."""
+Iterate = Callable[[Level, int, int, int, int], int | None]
+"""``(level, seed, level_number, vote, iteration)``: one PatchMatch iteration. It returns the number
+of assignments that changed, or None if they are not counted."""
+
+SCHEDULES: dict[str, Iterate] = {"propose_commit": propose_commit, "scanline": scanline}
+"""One iteration of each."""
 
 
-def search(level, params, iterate, seed, level_number, vote):
+def search(
+    level: Level, params: "Params", iterate: Iterate, seed: int, level_number: int, vote: int
+) -> Iterator[SearchStep]:
     """PatchMatch of thesis 2.3, from target to source, with the iterations that ``params`` names.
 
     Parameters

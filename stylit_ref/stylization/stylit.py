@@ -21,11 +21,17 @@ so large that λρ of a fixed patch exceeds every δ, so the search skips fixed 
 patches that are used too often.
 """
 
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Literal
+
 import numpy as np
+from numpy.typing import NDArray
 
 from stylit_ref.formulae.candidates import PROPAGATION_DISTANCES
 from stylit_ref.metric.proposal import Proposal
+from stylit_ref.metric.textures import Textures
 from stylit_ref.passes.claims import CLAIMED, FIXED, FREE
+from stylit_ref.randomness.philox import FourWords
 from stylit_ref.randomness.random_stream import (
     ITERATIONS,
     RETRIEVAL_NNF,
@@ -34,16 +40,22 @@ from stylit_ref.randomness.random_stream import (
 )
 from stylit_ref.stylization.error_budget import correspondences_within_budget
 from stylit_ref.stylization.exemplar import ExemplarLevel
-from stylit_ref.stylization.level import join
+from stylit_ref.stylization.level import Level, join
 from stylit_ref.stylization.progress import SearchStep
 from stylit_ref.stylization.target import TargetLevel
+
+if TYPE_CHECKING:  # params imports the methods, which import this module
+    from stylit_ref.stylization.params import Params
+    from stylit_ref.stylization.schedules import Iterate
 
 LEAST_PROGRESS = 1e-3
 """A retrieval can fix at most as many patches as the smaller of source and target has. If it fixes
 less than this share of that number, it is the last."""
 
 
-def search(level, params, iterate, seed, level_number, vote):
+def search(
+    level: Level, params: "Params", iterate: "Iterate", seed: int, level_number: int, vote: int
+) -> Iterator[SearchStep]:
     """One M-step of StyLit: a search from target to source, then retrievals within an error budget.
 
     Parameters
@@ -106,7 +118,11 @@ class Retrieval:
         The arguments of the passes; W is replaced by a map of ``FREE`` and ``FIXED``.
     """
 
-    def __init__(self, level, stream):
+    level: Level
+    textures: Textures
+    proposal: Proposal
+
+    def __init__(self, level: Level, stream: FourWords) -> None:
         self.level = level
         passes, packing, width = level.passes, level.packing, level.patch_width
         radius = width // 2
@@ -130,21 +146,21 @@ class Retrieval:
         )
 
     @property
-    def nnf(self):
+    def nnf(self) -> NDArray[np.int32]:
         """The target patch of each source patch, ``radius`` added to its coordinates."""
         return self.proposal.nnf
 
     @property
-    def delta(self):
+    def delta(self) -> NDArray[np.int64]:
         """Their δ."""
         return self.proposal.delta
 
     @property
-    def taken(self):
+    def taken(self) -> NDArray[np.int32]:
         """``FREE`` or ``FIXED`` for every target patch, in place of W."""
         return self.proposal.omega_sums
 
-    def improve(self, stream):
+    def improve(self, stream: FourWords) -> None:
         """One PatchMatch iteration; every proposal is accepted, since the map does not change."""
         passes = self.level.passes
         for distance in PROPAGATION_DISTANCES:
@@ -153,7 +169,7 @@ class Retrieval:
         passes.random_search(*self.proposal, stream, max(self.level.delta.shape))
         self.proposal = self.proposal.accepted()
 
-    def settle(self, budget, limits):
+    def settle(self, budget: Literal["hyperbola"] | float, limits: NDArray[np.int64]) -> int:
         """Fix the target patches of the claims that the error budget covers.
 
         Parameters

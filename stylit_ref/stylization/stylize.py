@@ -7,6 +7,7 @@ from numbers import Integral
 
 import numba
 import numpy as np
+from numpy.typing import NDArray
 
 from stylit_ref.arrays import as_array
 from stylit_ref.errors import InputError
@@ -44,28 +45,28 @@ class Result:
         The guide map of every level, the coarsest first; empty for the other methods.
     """
 
-    image: np.ndarray
-    nnf: np.ndarray
-    omega: np.ndarray
-    error: np.ndarray
+    image: NDArray[np.uint8]
+    nnf: NDArray[np.int32]
+    omega: NDArray[np.int32]
+    error: NDArray[np.float32]
     history: tuple[Step, ...]
-    guide_maps: tuple[np.ndarray, ...]
+    guide_maps: tuple[NDArray[np.bool_], ...]
 
 
 def stylize(
-    style: np.ndarray,
-    source_guides: Sequence[np.ndarray],
-    target_guides: Sequence[np.ndarray],
+    style: NDArray[np.uint8],
+    source_guides: Sequence[NDArray[np.uint8]],
+    target_guides: Sequence[NDArray[np.uint8]],
     params: Params | None = None,
     *,
     seed: int = 0,
-    mask: np.ndarray | None = None,
-    fill: np.ndarray | None = None,
+    mask: NDArray[np.bool_] | None = None,
+    fill: NDArray[np.uint8] | None = None,
     backend: str = "cpu",
     threads: int | None = None,
     compiling: Callable[[int, int], None] | None = None,
     progress: Callable[[Step], None] | None = None,
-    on_level: Callable[[int, np.ndarray], None] | None = None,
+    on_level: Callable[[int, NDArray[np.uint8]], None] | None = None,
     profile: Profile | None = None,
 ) -> Result:
     """Stylize a target as a style exemplar shows (thesis 2.2).

@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
 from stylit_ref.randomness.random_stream import RANDOM_NNF, random_stream
@@ -11,7 +12,7 @@ from stylit_ref.stylization.exemplar import Exemplar
 from stylit_ref.stylization.level import Level
 from stylit_ref.stylization.params import Params
 from stylit_ref.stylization.progress import Step
-from stylit_ref.stylization.schedules import SCHEDULES
+from stylit_ref.stylization.schedules import SCHEDULES, Iterate
 from stylit_ref.stylization.target import Target
 
 
@@ -58,9 +59,23 @@ class Synthesis:
         If exemplar, target and parameters do not fit together.
     """
 
+    exemplar: Exemplar
+    target: Target
+    params: Params
+    seed: int
+    iterate: Iterate
+    level: Level | None
+    level_number: int
+    vote_number: int
+
     def __init__(
-        self, exemplar: Exemplar, target: Target, params: Params, seed: int = 0, iterate=None
-    ):
+        self,
+        exemplar: Exemplar,
+        target: Target,
+        params: Params,
+        seed: int = 0,
+        iterate: Iterate | None = None,
+    ) -> None:
         check_halves(exemplar, target, params)
         check_seed(seed)
         self.exemplar, self.target, self.params, self.seed = exemplar, target, params, seed
@@ -86,7 +101,9 @@ class Synthesis:
         """Number of finer levels; exemplar and target count levels this way, from 0, the finest."""
         return self._depth(self.level_number)
 
-    def begin_level(self, number: int, nnf: np.ndarray | None = None, votes: int = 0) -> Level:
+    def begin_level(
+        self, number: int, nnf: NDArray[np.int32] | None = None, votes: int = 0
+    ) -> Level:
         """Begin a level: the coarsest with a random NNF, others with the NNF of the level before.
 
         The thesis also upsamples B'. That has no effect, since the first vote of a level overwrites

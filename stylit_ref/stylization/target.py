@@ -1,11 +1,12 @@
 """The target of a stylization, which may serve several exemplars and runs."""
 
 from functools import cached_property
-from types import ModuleType
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stylit_ref.formulae.guide_map import sums_dtype
+from stylit_ref.machine.replaced import Passes
 from stylit_ref.metric.packing import Packing
 from stylit_ref.stylization.mask import downsample_mask
 
@@ -24,19 +25,33 @@ class TargetLevel:
         Pixels whose patches take part; all by default.
     """
 
-    def __init__(self, passes, packing, patch_width, texture, synthesized=None):
+    passes: Passes
+    packing: Packing
+    patch_width: int
+    texture: NDArray[np.uint8]
+    synthesized: NDArray[np.bool_]
+    weights: NDArray[np.int64]
+
+    def __init__(
+        self,
+        passes: Passes,
+        packing: Packing,
+        patch_width: int,
+        texture: NDArray[np.uint8],
+        synthesized: NDArray[np.bool_] | None = None,
+    ) -> None:
         self.passes, self.packing, self.patch_width = passes, packing, patch_width
         self.texture = texture
         self.synthesized = np.ones(self.size, bool) if synthesized is None else synthesized
         self.weights = passes.upload(packing.weights)
 
     @property
-    def size(self):
+    def size(self) -> tuple[int, int]:
         """Rows and columns of patches."""
         return tuple(length - self.patch_width + 1 for length in self.texture.shape[:2])
 
     @cached_property
-    def moments(self):
+    def moments(self) -> NDArray[np.int16]:
         """Moments of every patch, (H_B, W_B, moments) int16, as of the last update."""
         moments = self.passes.moments_storage(*self.size, len(self.packing.moments))
         self.passes.patch_moments(
@@ -45,7 +60,7 @@ class TargetLevel:
         )  # fmt: skip
         return moments
 
-    def update_moments(self):
+    def update_moments(self) -> None:
         """Compute the moments with the current B'."""
         self.passes.patch_moments(
             self.texture, self.moments, self.patch_width, 0,
@@ -53,14 +68,14 @@ class TargetLevel:
         )  # fmt: skip
 
     @cached_property
-    def guide_sums(self):
+    def guide_sums(self) -> NDArray[np.uint16 | np.uint32]:
         """M_B times w² (5.2.2): the sums of the guides over each patch, (H_B, W_B, n) integers."""
         shape = *self.size, self.packing.style_channel
         sums = self.passes.zeros(shape, sums_dtype(self.patch_width))
         self.passes.means(self.texture, sums, self.patch_width, 0)
         return sums
 
-    def make_guide_map(self, epsilon):
+    def make_guide_map(self, epsilon: float) -> NDArray[np.bool_]:
         """Compute G for an ε (Evaluate_Map, 5.2.2), (H_B, W_B) bool."""
         white = self.passes.zeros(self.size, np.bool_)
         self.passes.guide_map(
@@ -69,13 +84,13 @@ class TargetLevel:
         return white
 
     @property
-    def style(self):
+    def style(self) -> NDArray[np.uint8]:
         """The current B', (H_B, W_B, n) uint8, a NumPy array."""
         radius = self.patch_width // 2
         texture = self.passes.download(self.texture)
         return self.packing.style(texture)[radius:-radius, radius:-radius]
 
-    def set_style(self, image):
+    def set_style(self, image: NDArray[np.uint8]) -> None:
         """Set B' to an image, (H_B, W_B, n) uint8."""
         radius = self.patch_width // 2
         texture = self.passes.download(self.texture)
@@ -102,14 +117,18 @@ class Target:
         default.
     """
 
+    passes: Passes
+    packing: Packing
+    patch_width: int
+
     def __init__(
         self,
-        passes: ModuleType,
+        passes: Passes,
         packing: Packing,
         patch_width: int,
-        texture: np.ndarray,
-        synthesized: np.ndarray | None = None,
-    ):
+        texture: NDArray[np.uint8],
+        synthesized: NDArray[np.bool_] | None = None,
+    ) -> None:
         self.passes, self.packing, self.patch_width = passes, packing, patch_width
         self._textures = [passes.upload(texture)]
         all_of_it = np.ones(texture.shape[:2], bool)
@@ -120,7 +139,7 @@ class Target:
         """Rows and columns of the finest level."""
         return self._synthesized[0].shape
 
-    def synthesized(self, depth: int) -> np.ndarray:
+    def synthesized(self, depth: int) -> NDArray[np.bool_]:
         """Pixels of a level whose patches take part, (H_B, W_B) bool."""
         while len(self._synthesized) <= depth:
             self._synthesized.append(downsample_mask(self._synthesized[-1]))

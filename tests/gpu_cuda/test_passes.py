@@ -1,10 +1,9 @@
 """Every kernel equals its CPU pass, bit for bit."""
 
-import inspect
-
 import numpy as np
 import pytest
 from device_level import FULL_SIZES, on_device, to_host
+from signatures import signature
 from small_level import make_level
 
 import gpu_cuda
@@ -53,10 +52,9 @@ def test_names_mirror_the_passes():
 
 @pytest.mark.parametrize("name", gpu_cuda.__all__)
 def test_signatures_mirror_the_passes(name):
-    function = getattr(passes, name)
-    mirrored = inspect.signature(getattr(function, "py_func", function))
+    mirrored = signature(getattr(passes, name))
     for module in (gpu_cuda, shared_memory.passes, launched_commit.passes):
-        assert str(inspect.signature(getattr(module, name))) == str(mirrored)
+        assert signature(getattr(module, name)) == mirrored
 
 
 def test_a_tile_too_large_for_shared_memory_is_one_sentence():

@@ -1,10 +1,10 @@
 """The interface of ports: the library calls foreign modules of passes by these names.
 
 A change here breaks every such module. Parameter names count too: callers may use them as
-keywords.
+keywords. Annotations are free to change.
 """
 
-import inspect
+from signatures import signature
 
 from stylit_ref import passes
 from stylit_ref.metric.textures import Textures
@@ -41,15 +41,6 @@ TEXTURES = (
     "(source, target, source_moments, target_moments, weights, pair_weights, moment_weights, "
     "guide_map=None, source_sums=None, target_sums=None, style_pair_weights=None)"
 )
-
-
-def signature(function):
-    """Names, order and defaults of the parameters; annotations are free to change."""
-    found = inspect.signature(getattr(function, "py_func", function))
-    plain = [
-        parameter.replace(annotation=parameter.empty) for parameter in found.parameters.values()
-    ]
-    return str(found.replace(parameters=plain, return_annotation=found.empty))
 
 
 def test_passes_are_called_by_these_names():
