@@ -2,6 +2,7 @@
 
 import argparse
 import ast
+import logging
 import sys
 import warnings
 from importlib import import_module
@@ -48,6 +49,7 @@ def main(arguments=None):
                 return 2
             chosen.add_options(command)
     options = parser.parse_args(arguments)
+    logging.basicConfig(format="note: %(message)s")
     warnings.showwarning = lambda message, *_: print(f"note: {message}", file=sys.stderr)
     try:
         return chosen.main(options)

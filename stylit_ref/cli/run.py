@@ -1,4 +1,4 @@
-"""``stylit-ref run``: stylize a target as a style exemplar shows."""
+"""``stylit-ref run``: stylize a rendering by a painted example."""
 
 import argparse
 import logging

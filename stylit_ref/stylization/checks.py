@@ -1,4 +1,4 @@
-"""What ``stylize`` refuses at the door; every refusal is one sentence with the sizes."""
+"""What ``stylize`` refuses before it starts; every refusal is one sentence with the sizes."""
 
 import logging
 from collections.abc import Sequence
@@ -20,7 +20,7 @@ from stylit_ref.stylization.target import Target
 
 
 def size_text(shape: tuple[int, ...]) -> str:
-    """``width x height`` of an array shape, as images are spoken of."""
+    """Width and height of an array shape, as people write them: ``300x228``."""
     return f"{shape[1]}x{shape[0]}"
 
 
@@ -108,7 +108,7 @@ def check_guides(
 
 
 def _check_order(style, sources, targets, source_names, target_names):
-    """Only the source has to have the style's size: a target in its place looks like this."""
+    """Name a pair whose target has the style's size and whose source has not."""
     source_names = source_names or _names("source_guides", sources)
     target_names = target_names or _names("target_guides", targets)
     for source, target, name, other in zip(
@@ -244,8 +244,10 @@ def check_range(
     patch_pixels = params.patch_width**2
     if target_patches * patch_pixels >= 1 << 31:
         raise InputError(
-            f"{target_patches} target patches of {patch_pixels} pixels overflow the occurrence "
-            f"map; at most {(1 << 31) // patch_pixels} patches of that width are possible"
+            f"is {params.patch_width}, and {target_patches} target patches of that width overflow "
+            f"the occurrence map; at most {(1 << 31) // patch_pixels} are possible, so take a "
+            "smaller width or a smaller image",
+            parameter="patch_width",
         )
     source_pixels = source_size[0] * source_size[1]
     uniformity = params.penalization
@@ -254,8 +256,8 @@ def check_range(
     exact = uniformity / (patch_pixels * best)
     if abs(weight - ONE * exact) > 0.01 * ONE * exact:
         note(
-            f"is {uniformity:g}, but {uniformity * weight / (ONE * exact):g} is used: so small a "
-            f"weight has no finer fixed-point value with patches of width {params.patch_width}",
+            f"is {uniformity:g}, but {uniformity * weight / (ONE * exact):g} is used, the nearest "
+            f"that fixed point can hold with patches of width {params.patch_width}",
             parameter="uniformity",
             level=logging.WARNING,
         )

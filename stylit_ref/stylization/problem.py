@@ -1,4 +1,4 @@
-"""From images to a run that can begin, with everything checked at the door."""
+"""From images to a run that is checked and can begin."""
 
 from collections.abc import Sequence
 

@@ -32,7 +32,7 @@ def replay(
     style : (H, W) or (H, W, n) uint8, uint16 or float32
         ``scale`` times the size of the style the NNF was made with.
     patch_width : int
-        The run's.
+        The patch width of the run.
     scale : int
         How many times larger the style is.
 
@@ -45,7 +45,7 @@ def replay(
     Raises
     ------
     InputError
-        If the NNF is not one, or points outside the style.
+        If the array cannot be an NNF, or points outside the style.
     """
     nnf, style = as_array(nnf, "nnf"), as_array(style, "style")
     if nnf.dtype != np.int32 or nnf.ndim != 3 or nnf.shape[2] != 2 or 0 in nnf.shape:

@@ -69,7 +69,7 @@ def stylize(
     on_level: Callable[[int, NDArray[np.uint8]], None] | None = None,
     profile: Profile | None = None,
 ) -> Result:
-    """Stylize a target as a style exemplar shows (thesis 2.2).
+    """Stylize a target by a style exemplar (thesis 2.2).
 
     The same arguments give the same bytes, whatever the number of threads.
 
