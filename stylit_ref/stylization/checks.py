@@ -256,8 +256,8 @@ def check_range(
     exact = uniformity / (patch_pixels * best)
     if abs(weight - ONE * exact) > 0.01 * ONE * exact:
         note(
-            f"is {uniformity:g}, but {uniformity * weight / (ONE * exact):g} is used, the nearest "
-            f"that fixed point can hold with patches of width {params.patch_width}",
+            f"is {uniformity:g}, but {uniformity * weight / (ONE * exact):g} is used: the nearest "
+            f"fixed-point value with patches of width {params.patch_width}",
             parameter="uniformity",
             level=logging.WARNING,
         )

@@ -384,7 +384,9 @@ def test_a_weight_too_small_for_fixed_point_is_said(caplog):
     (record,) = caplog.records
     assert record.levelno == logging.WARNING
     assert record.parameter == "uniformity"
-    assert record.sentence.startswith("is 10, but 10.7864 is used: so small a weight")
+    assert record.sentence == (
+        "is 10, but 10.7864 is used: the nearest fixed-point value with patches of width 21"
+    )
 
 
 def test_guide_weights_may_be_any_sequence():
