@@ -27,3 +27,8 @@ def one_line(text: str) -> str:
     return "".join(
         " " if sign.isspace() else sign if sign.isprintable() else "\ufffd" for sign in text
     )
+
+
+def shown(value: object) -> str:
+    """A value as a refusal shows it: a text in quotes, so that '2' is not taken for 2."""
+    return repr(value) if isinstance(value, str) else str(value)

@@ -11,7 +11,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from stylit_ref.errors import InputError
+from stylit_ref.errors import InputError, shown
 
 
 def parameter(default: Any, kind: Any, text: str) -> Any:
@@ -55,7 +55,7 @@ class Integer:
         if not fits or (self.odd and value % 2 == 0):
             what = "an odd integer" if self.odd else "an integer"
             raise InputError(
-                f"is {value}; it must be {what} from {self.least} to {self.most}{self.remark}",
+                f"is {shown(value)}; it must be {what} from {self.least} to {self.most}{self.remark}",
                 parameter=name,
             )
         return int(value)
@@ -76,7 +76,7 @@ class Number:
         """The value as a float."""
         if not isinstance(value, Real) or not self.least <= value <= self.most:
             raise InputError(
-                f"is {value}; it must be a number from {self.least:g} to {self.most:g}",
+                f"is {shown(value)}; it must be a number from {self.least:g} to {self.most:g}",
                 parameter=name,
             )
         return float(value)
@@ -100,7 +100,8 @@ class Share:
         if not isinstance(value, Real) or not 0 < value <= 1:
             otherwise = f"{self.word!r} or " if self.word else ""
             raise InputError(
-                f"is {value!r}; it must be {otherwise}a number above 0 and up to 1", parameter=name
+                f"is {shown(value)}; it must be {otherwise}a number above 0 and up to 1",
+                parameter=name,
             )
         return float(value)
 
@@ -125,7 +126,7 @@ class Choice:
         if not isinstance(value, str) or value not in self.names:
             *others, last = map(repr, self.names)
             raise InputError(
-                f"is {value!r}; it must be {', '.join(others)} or {last}", parameter=name
+                f"is {shown(value)}; it must be {', '.join(others)} or {last}", parameter=name
             )
         return value
 
@@ -169,7 +170,7 @@ class Several:
     def check(self, name: str, value: Any) -> tuple[float, ...]:
         """A tuple of values."""
         if not _is_sequence(value):
-            raise InputError(f"is {value}; it must be a list of numbers", parameter=name)
+            raise InputError(f"is {shown(value)}; it must be a list of numbers", parameter=name)
         return tuple(self.kind.check(f"{self.one} {k}", each) for k, each in enumerate(value, 1))
 
     def parse(self, text: str) -> tuple[float, ...]:

@@ -42,7 +42,7 @@ def test_a_value_becomes_pythons_own(kind, value, made):
         (ODD, 5.0, "name is 5.0; it must be an odd"),
         (Integer(0, 24, remark=", for patches of width 5"), 25, "0 to 24, for patches of width 5"),
         (Number(0, 1e12), float("nan"), "name is nan; it must be a number from 0 to 1e.12"),
-        (Number(0, 1e12), "1", "name is 1; it must be a number"),
+        (Number(0, 1e12), "1", "name is '1'; it must be a number"),
         (Share(), 0, "name is 0; it must be a number above 0 and up to 1"),
         (Share("hyperbola"), "knee", "name is 'knee'; it must be 'hyperbola' or a number above 0"),
         (Choice(("a", "b", "c")), "d", "name is 'd'; it must be 'a', 'b' or 'c'"),

@@ -4,6 +4,7 @@ import argparse
 import os
 import platform
 from importlib.metadata import version
+from pathlib import Path
 
 import numba
 import OpenImageIO as oiio
@@ -55,17 +56,23 @@ def _kernel_lines():
     }
     folders = {each.folder for kernels in needed.values() for each in kernels}
     if None in folders:
-        yield "kernels", "no folder can be written, so every run compiles; set NUMBA_CACHE_DIR"
+        yield (
+            "kernels",
+            "no folder can be written, so every run compiles; set NUMBA_CACHE_DIR to one that can",
+        )
     else:
         files = [file for folder in folders for file in folder.glob("*.nb?")]
         size = sum(file.stat().st_size for file in files) / 2**20
-        place = os.path.commonpath(folders)
-        yield "kernels", f"{size:.1f} MiB in {place}; NUMBA_CACHE_DIR sets another folder"
+        place, named = os.path.commonpath(folders), numba.config.CACHE_DIR
+        remark = "NUMBA_CACHE_DIR sets another folder"
+        if named and not Path(place).is_relative_to(Path(named).resolve()):
+            remark = f"NUMBA_CACHE_DIR names {named}, which cannot be written"
+        yield "kernels", f"{size:.1f} MiB in {place}; {remark}"
     counts = [
-        f"{name} {sum(each.is_compiled for each in kernels)} of {len(kernels)}"
+        f"{sum(each.is_compiled for each in kernels)} of {len(kernels)} for {name}"
         for name, kernels in needed.items()
     ]
-    yield "compiled", f"{', '.join(counts)}, for five guides in colour; see stylit-ref warm-up"
+    yield "compiled", f"{', '.join(counts)}, with five guides in colour; a run compiles the others"
 
 
 def _kinds(attribute, without):

@@ -3,6 +3,7 @@
 import argparse
 import shlex
 import shutil
+import sys
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -27,9 +28,10 @@ def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
 
 
 def run(options: argparse.Namespace) -> None:
-    """Copy them, whole or not at all, and print a command that stylizes one.
+    """Copy them and print a command that stylizes one.
 
-    In a folder that has them already, files that are missing are copied and all others stay.
+    A new folder appears whole or not at all. In one that has them already, files that are missing
+    are copied and all others stay.
 
     Raises
     ------
@@ -42,22 +44,37 @@ def run(options: argparse.Namespace) -> None:
     except ModuleNotFoundError:
         raise InputError("the scenes are not installed with this package") from None
     bundled = Path(guides.__file__).with_name("bundled")
+    if place.is_file():
+        raise InputError(f"{folder}: is a file; name a new folder")
     if not place.exists():
         _copy_whole(bundled, folder, place)
-    elif (place / _MANIFEST).is_file() or (place.is_dir() and not any(place.iterdir())):
+    elif _is_empty(place) or _is_copy(place, bundled):
         _complete(bundled, folder, place)
     else:
         raise InputError(f"{folder}: holds other files; name a new folder")
+    print(f"The scenes are in {folder}. To stylize one, run here:", file=sys.stderr)
     print(_command(folder, guides.LIGHT_PASSES))
+
+
+def _is_empty(place):
+    return place.is_dir() and not any(place.iterdir())
+
+
+def _is_copy(place, bundled):
+    """Whether a folder was made by this command, whole or not."""
+    manifest = place / _MANIFEST
+    return manifest.is_file() and manifest.read_bytes() == (bundled / _MANIFEST).read_bytes()
 
 
 def _command(folder, guides):
     """A command that stylizes one of the scenes, guided as in Fišer et al. 2016."""
-    source, target = folder / "source", folder / "teapot"
-    words = ["stylit-ref", "run", "--style", source / "styles" / "oil.png"]
+    if str(folder).startswith("-"):  # which a command line would take for an option
+        folder = f"./{folder}"
+    source, target = f"{folder}/source", f"{folder}/teapot"
+    words = ["stylit-ref", "run", "--style", f"{source}/styles/oil.png"]
     for guide in guides:
-        words += ["--guide", source / f"{guide}.png", target / f"{guide}.png"]
-    return shlex.join(map(str, [*words, "--output", folder / "stylized.png"]))
+        words += ["--guide", f"{source}/{guide}.png", f"{target}/{guide}.png"]
+    return shlex.join([*words, "--output", f"{folder}/stylized.png"])
 
 
 def _copy_whole(bundled, folder, place):

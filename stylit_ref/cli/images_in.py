@@ -66,7 +66,7 @@ def read_images(options: argparse.Namespace) -> ImagesIn:
     Parameters
     ----------
     options : argparse.Namespace
-        Of :func:`add_input_options`.
+        Of the two functions above.
 
     Returns
     -------

@@ -43,7 +43,7 @@ def check_outputs(options: argparse.Namespace, params: Params, images: ImagesIn)
     Parameters
     ----------
     options : argparse.Namespace
-        Of :func:`add_output_options` and of the images.
+        Of the two functions above and of the images.
     params : Params
     images : ImagesIn
 

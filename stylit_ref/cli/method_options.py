@@ -1,9 +1,9 @@
 """Options of ``run`` that shape the result, and the parameters that they give."""
 
 import argparse
-from argparse import ArgumentTypeError
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 from dataclasses import fields
+from typing import Any
 
 from stylit_ref.cli.methods import OFFERS, offer_of
 from stylit_ref.errors import InputError
@@ -21,6 +21,18 @@ _OTHERS = "method", "guide_weights"
 """Parameters whose options are made by hand: ``--weight`` stands beside its guide."""
 
 
+def parsed(kind: Any) -> Callable[[str], Any]:
+    """The ``type`` of an option for a kind of parameter (:mod:`stylit_ref.parameters`)."""
+
+    def parse(text):
+        try:
+            return kind.parse(text)
+        except ValueError:
+            raise argparse.ArgumentTypeError(f"is {text!r}; it must be {kind.described}") from None
+
+    return parse
+
+
 def add_method(group: argparse._ArgumentGroup) -> None:
     """Add ``--method``."""
     texts = "; ".join(f"{name}: {offer.text}" for name, offer in OFFERS.items())
@@ -35,8 +47,8 @@ def add_preset(group: argparse._ArgumentGroup) -> None:
     presets = dict.fromkeys(name for offer in OFFERS.values() for name in offer.presets)
     group.add_argument(
         "--preset", choices=presets, default=next(iter(presets)),
-        help="fast: a preview in a tenth of the time; thesis: the effort of the thesis "
-        "(default %(default)s)",
+        help="fast: a preview, close to the eye; thesis: the effort of the thesis, 13 times the "
+        "work (default %(default)s)",
     )  # fmt: skip
 
 
@@ -61,7 +73,7 @@ def add_parameters(
         group.add_argument(
             SPELLED.get(each.name, f"--{each.name.replace('_', '-')}"),
             dest=each.name,
-            type=_parsed(each.metadata["kind"]),
+            type=parsed(each.metadata["kind"]),
             metavar=each.metadata["kind"].placeholder,
             help=f"{each.metadata['text']} ({_in_python(each)}default {_default(each)})",
         )
@@ -84,16 +96,6 @@ def _parameters():
     for each in (each for params in classes for each in fields(params)):
         named.setdefault(each.name, each)
     return [each for name, each in named.items() if name not in _OTHERS]
-
-
-def _parsed(kind):
-    def parse(text):
-        try:
-            return kind.parse(text)
-        except ValueError:
-            raise ArgumentTypeError(f"is {text!r}; it must be {kind.described}") from None
-
-    return parse
 
 
 def chosen_params(options: argparse.Namespace) -> Params:

@@ -7,6 +7,8 @@ import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
 
+from tqdm import tqdm
+
 from stylit_ref.errors import one_line
 from stylit_ref.notes import LOGGER
 
@@ -14,16 +16,17 @@ from stylit_ref.notes import LOGGER
 class _Notes(logging.Handler):
     """Prints the notes of the library, a parameter by the option that sets it.
 
-    What is harmless about a parameter that nobody has typed is no news.
+    What is harmless is no news where nobody has typed the parameter, or with ``--quiet``.
     """
 
     def __init__(self, options):
         super().__init__(logging.INFO)
-        self._options = options
+        self._options, self._quiet = options, getattr(options, "quiet", False)
 
     def emit(self, record):
         name = getattr(record, "parameter", None)  # others may log there too
-        if record.levelno < logging.WARNING and getattr(self._options, name or "", "") is None:
+        is_default = getattr(self._options, name or "", "") is None
+        if record.levelno < logging.WARNING and (is_default or self._quiet):
             return
         flag = f"{self._options.parser.flag_of(name)} " if name else ""
         say(f"{flag}{getattr(record, 'sentence', record.getMessage())}")
@@ -31,7 +34,7 @@ class _Notes(logging.Handler):
 
 def say(text: str) -> None:
     """Print a note."""
-    print(f"note: {one_line(text)}", file=sys.stderr)
+    tqdm.write(f"note: {one_line(text)}", file=sys.stderr)  # above a bar, if there is one
 
 
 @contextmanager

@@ -2,9 +2,8 @@
 
 import argparse
 import sys
-from collections.abc import Iterable
+from collections.abc import Sequence
 from difflib import get_close_matches
-from itertools import pairwise
 from typing import Any, NoReturn
 
 from stylit_ref.errors import one_line
@@ -15,7 +14,10 @@ EBSYNTH = (
 )  # fmt: skip
 """Options of ebsynth, which have one dash there."""
 
-EBSYNTH_PAGE = "docs/how_to/from_ebsynth.md has every option of ebsynth"
+EBSYNTH_PAGE = (
+    "https://github.com/stylit-ref/stylit-ref/blob/main/docs/how_to/from_ebsynth.md "
+    "has every option of ebsynth"
+)
 
 
 class Parser(argparse.ArgumentParser):
@@ -27,18 +29,16 @@ class Parser(argparse.ArgumentParser):
 
     def error(self, message: str) -> NoReturn:
         """End with exit code 2."""
-        self.exit(2, f"{self.prog}: {one_line(message)} (--help shows the options)\n")
+        said = one_line(message.removeprefix("argument "))
+        self.exit(2, f"{self.prog}: {said} (--help shows the options)\n")
 
     def parse_known_args(
-        self, args: Iterable[str] | None = None, namespace: Any = None
-    ) -> tuple[Any, list[str]]:
-        """Parse, and refuse what is unknown or left over here rather than at the end."""
+        self, args: Sequence[str] | None = None, namespace: argparse.Namespace | None = None
+    ) -> tuple[argparse.Namespace, list[str]]:
+        """Parse, but refuse first what is unknown or too much."""
         words = sys.argv[1:] if args is None else list(args)
-        self._refuse_unknown(words)
-        options, left_over = super().parse_known_args(words, namespace)
-        if left_over:
-            self.error(self._why_left_over(words, left_over[0]))
-        return options, left_over
+        self._check(words)
+        return super().parse_known_args(words, namespace)
 
     @property
     def commands(self) -> dict[str, "Parser"]:
@@ -65,64 +65,89 @@ class Parser(argparse.ArgumentParser):
                 return action.option_strings[0]
         return parameter
 
-    def _refuse_unknown(self, words):
+    def _check(self, words):
+        """Refuse words in which an option is unknown, or that no option takes."""
+        arguments = [action for action in self._actions if not action.option_strings]
         takes_rest = any(
-            action.nargs in (argparse.PARSER, argparse.REMAINDER) for action in self._actions
+            action.nargs in (argparse.PARSER, argparse.REMAINDER) for action in arguments
         )
-        for before, word in pairwise(["", *words]):
+        flag, owed, free = None, 0, len(arguments)
+        for word in words:
             if word == "--":
                 return
-            if not self._is_flag(word):
-                if takes_rest:  # from here on the words are the command's
-                    if self.commands and word not in self.commands:
-                        self.error(f"there is no command {word!r}{_nearest(word, self.commands)}")
-                    return
-                continue
-            flag = word.partition("=")[0]
-            if flag not in self._option_string_actions:
-                self.error(self._why_unknown(before, flag))
+            if self._is_flag(word):
+                name = word.partition("=")[0]
+                if name not in self._option_string_actions:
+                    self.error(self._why_unknown(name, flag if owed else None, owed or free))
+                flag, owed = name, 0 if "=" in word else self._values_of(name)
+            elif owed:
+                owed -= 1
+            elif takes_rest:  # from here on the words are the command's
+                if self.commands and word not in self.commands:
+                    self.error(f"there is no command {word!r}{_nearest(word, self.commands)}")
+                return
+            elif free:
+                free -= 1
+            else:
+                self.error(self._why_left_over(word, flag))
 
     def _is_flag(self, word):
-        """As argparse sees it: a negative number is a value, and so is what has a space in it."""
+        """As argparse sees it: numbers are values, and so is what has a space in it."""
         return (
             word.startswith("-")
             and word != "-"
             and " " not in word.partition("=")[0]
-            and not self._negative_number_matcher.match(word)
+            and not _is_number(word)
         )
 
-    def _why_unknown(self, before, flag):
+    def _values_of(self, flag):
+        action = self._option_string_actions[flag]
+        return 1 if action.nargs is None else int(action.nargs)
+
+    def _why_unknown(self, flag, before, owed):
         for name, command in self.commands.items():
-            found = command._same_flag(flag)
+            found = command._meant(flag)
             if found:
                 return f"{flag}: name the command first: {self.prog} {name} {found}{_page(flag)}"
-        found = self._same_flag(flag)
+        found = self._meant(flag)
         if found and not flag.startswith("--"):
             return f"{flag}: two dashes here: {found}{_page(flag)}"
         if found:
             return f"{flag}: did you mean {found}?"
-        if before in self._option_string_actions and "." in flag:
-            return f"{before} {flag}: a value cannot begin with a dash; write ./{flag}"
+        if owed and not self.commands and not flag.startswith("--"):
+            named = f"{before} {flag}" if before else flag
+            return f"{named}: a name cannot begin with a dash; write ./{flag}"
         nearest = _nearest(flag, self._option_string_actions)
         return f"there is no option {flag}{nearest}{_page(flag)}"
 
-    def _same_flag(self, flag):
-        """The option that is spelled with the same letters, whatever the dashes, or None."""
-        for known in self._option_string_actions:
-            if known.replace("-", "") == flag.replace("-", ""):
-                return known
+    def _meant(self, flag):
+        """The option of the same letters, whatever the dashes, or of that name in Python."""
+        for action in self._actions:
+            for known in action.option_strings:
+                if _letters(flag) in (_letters(known), _letters(action.dest)):
+                    return known
         return None
 
-    def _why_left_over(self, words, word):
-        before = [flag for flag in words[: words.index(word)] if self._is_flag(flag)]
-        if not before:
-            return f"{word}: is neither an option nor the value of one"
-        action = self._option_string_actions[before[-1].partition("=")[0]]
-        if action.nargs == 2:
-            first, second = action.metavar
-            takes = f"{before[-1]} takes {first} and {second}"
-            return f"{word}: {takes}; repeat {before[-1]} for each pair"
-        return f"{word}: {before[-1]} has its value already; put a name with spaces in quotes"
+    def _why_left_over(self, word, flag):
+        values = self._values_of(flag) if flag else 0
+        if values == 2:
+            first, second = self._option_string_actions[flag].metavar
+            return f"{word}: {flag} takes {first} and {second}; repeat {flag} for each pair"
+        if values == 1:
+            return f"{word}: {flag} has its value already; put a name with spaces in quotes"
+        return f"{word}: is neither an option nor the value of one"
+
+
+def _letters(flag):
+    return flag.replace("-", "").replace("_", "")
+
+
+def _is_number(word):
+    try:
+        float(word)
+    except ValueError:
+        return False
+    return True
 
 
 def _nearest(word, known):

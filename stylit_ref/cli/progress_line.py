@@ -1,56 +1,21 @@
 """The line that shows how far a run is."""
 
 import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
-from typing import NamedTuple, NoReturn
+from types import TracebackType
 
 from tqdm import tqdm
 
 from stylit_ref.stylization.progress import Step
 
 _COMPILATION = "{desc} |{bar}| {elapsed}"
-_WHOLE = 1.0
 _RUN = "{percentage:3.0f}% |{bar}| {elapsed}<{remaining}  {desc}"
 
 
-class ProgressLine(NamedTuple):
+class ProgressLine:
     """One line on stderr: the kernels that are compiled, if any are, then the run.
 
-    Attributes
-    ----------
-    bar : tqdm.tqdm
-    verbose : bool
-        Tell the energy too.
-    """
-
-    bar: "tqdm[NoReturn]"
-    verbose: bool
-
-    def compiling(self, number: int, count: int) -> None:
-        """Tell which kernel is going to be compiled."""
-        self.bar.set_description_str(f"compiling kernels {number} of {count}, once", refresh=False)
-        if number == 1:
-            self.bar.bar_format = _COMPILATION
-            self.bar.reset(total=count)
-        self.bar.n = number - 1
-        self.bar.refresh()
-
-    def step(self, step: Step) -> None:
-        """Tell a :class:`stylit_ref.Step`."""
-        told = _place(step)
-        if self.verbose:
-            told += f"  {_energy(step)}"
-        self.bar.set_description_str(told, refresh=False)
-        if self.bar.total != _WHOLE:  # kernels were compiled: no part of the estimate
-            self.bar.bar_format = _RUN
-            self.bar.reset(total=_WHOLE)
-        self.bar.update(step.done - self.bar.n)
-
-
-@contextmanager
-def progress_line(quiet: bool, verbose: bool) -> Iterator[ProgressLine]:
-    """Show the line while the block runs.
+    Each begins a bar of its own when it has something to tell, so that notes and refusals before it
+    find an empty line, and the estimate of the run knows of nothing but the run.
 
     Parameters
     ----------
@@ -59,12 +24,53 @@ def progress_line(quiet: bool, verbose: bool) -> Iterator[ProgressLine]:
     verbose : bool
         Tell the energy too.
 
-    Yields
-    ------
-    ProgressLine
+    Attributes
+    ----------
+    is_shown : bool
     """
-    with tqdm(total=_WHOLE, disable=quiet or None, bar_format=_RUN, file=sys.stderr) as bar:
-        yield ProgressLine(bar, verbose)
+
+    def __init__(self, quiet: bool, verbose: bool = False) -> None:
+        self.is_shown = not quiet and sys.stderr.isatty()
+        self._verbose = verbose
+        self._bar: tqdm | None = None
+        self._runs = False
+
+    def __enter__(self) -> "ProgressLine":
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self._close()
+
+    def compiling(self, number: int, count: int) -> None:
+        """Tell which kernel is going to be compiled."""
+        if number == 1:
+            self._open(_COMPILATION, total=count, leave=False)
+        self._bar.n = number - 1
+        self._bar.set_description_str(f"compiling kernels {number} of {count}, once")
+
+    def step(self, step: Step) -> None:
+        """Tell a step of the run."""
+        if not self._runs:
+            self._runs = True
+            self._open(_RUN, total=1.0, initial=step.done)
+        told = _place(step)
+        if self._verbose:
+            told += f"  {_energy(step)}"
+        self._bar.set_description_str(told, refresh=False)
+        self._bar.update(step.done - self._bar.n)
+
+    def _open(self, layout, **settings):
+        self._close()
+        self._bar = tqdm(file=sys.stderr, disable=not self.is_shown, bar_format=layout, **settings)
+
+    def _close(self):
+        if self._bar is not None:
+            self._bar.close()
 
 
 def _place(step):

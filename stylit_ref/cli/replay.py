@@ -23,7 +23,7 @@ def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
     """Add the command."""
     parser = commands.add_parser(
         "replay",
-        help="send another version of the painting through the field of a run",
+        help="make the picture of a run anew from another version of the painting",
         description=_DESCRIPTION,
     )
     parser.set_defaults(command=run, parser=parser)

@@ -18,7 +18,7 @@ from stylit_ref.cli.images_out import (
 from stylit_ref.cli.method_options import add_method, add_parameters, add_preset, chosen_params
 from stylit_ref.cli.methods import offer_of
 from stylit_ref.cli.parser import Parser
-from stylit_ref.cli.progress_line import progress_line
+from stylit_ref.cli.progress_line import ProgressLine
 from stylit_ref.machine.profiling import Profile
 from stylit_ref.notes import note
 from stylit_ref.stylization.backends import BACKENDS
@@ -88,7 +88,7 @@ def run(options: argparse.Namespace) -> None:
     check_outputs(options, params, images)
     if images.mask is not None and not images.mask.any():
         note("has no white pixel, so none is left alone", parameter="mask", level=logging.WARNING)
-    with progress_line(options.quiet, options.verbose) as line:
+    with ProgressLine(options.quiet, options.verbose) as line:
         result = offer.run(
             images.style,
             images.source_guides,
@@ -99,7 +99,7 @@ def run(options: argparse.Namespace) -> None:
             fill=images.fill,
             backend=options.backend,
             threads=options.threads,
-            compiling=None if line.bar.disable else line.compiling,  # it takes 50 ms to ask
+            compiling=line.compiling if line.is_shown else None,  # it takes 50 ms to ask
             progress=line.step,
             on_level=partial(save_level, options),
             profile=profile,

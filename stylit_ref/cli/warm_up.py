@@ -4,13 +4,12 @@ import argparse
 import sys
 from time import perf_counter
 
-from stylit_ref.cli.method_options import add_method, add_parameters, chosen_params
+from stylit_ref.cli.method_options import add_method, add_parameters, chosen_params, parsed
 from stylit_ref.cli.methods import offer_of
 from stylit_ref.cli.parser import Parser
-from stylit_ref.cli.progress_line import progress_line
+from stylit_ref.cli.progress_line import ProgressLine
 from stylit_ref.machine.kernel import compile_missing
-from stylit_ref.parameters import Integer, Several
-from stylit_ref.stylization.warm_up import FIVE_GUIDES
+from stylit_ref.stylization.warm_up import FIVE_GUIDES, GUIDE_CHANNELS, STYLE_CHANNELS
 
 _DESCRIPTION = """\
 Compile the kernels of a run ahead and keep them on disk, so that the first picture need not wait
@@ -24,18 +23,20 @@ _COMPILED_FOR = "patch_width", "vote_outliers", "schedule"
 def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
     """Add the command."""
     parser = commands.add_parser(
-        "warm-up", help="compile ahead what a first run would wait for", description=_DESCRIPTION
+        "warm-up",
+        help="compile the program now, so that the first run need not wait",
+        description=_DESCRIPTION,
     )
     parser.set_defaults(command=run, parser=parser)
     add_method(parser)
     add_parameters(parser, _COMPILED_FOR)
     parser.add_argument(
-        "--guide-channels", type=Several(Integer(1, 1000), "guide").parse, default=FIVE_GUIDES,
+        "--guide-channels", type=parsed(GUIDE_CHANNELS), default=FIVE_GUIDES,
         metavar="N[,N...]",
         help="channels of each guide, 3 for one in colour (default: five in colour)",
     )  # fmt: skip
     parser.add_argument(
-        "--style-channels", type=int, default=3, metavar="N",
+        "--style-channels", type=parsed(STYLE_CHANNELS), default=3, metavar="N",
         help="channels of the painting (default %(default)s)",
     )  # fmt: skip
     parser.add_argument("--quiet", action="store_true", help="say nothing but what is wrong")
@@ -44,7 +45,7 @@ def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
 def run(options: argparse.Namespace) -> None:
     """Compile, and say how much there was to do."""
     params, start = chosen_params(options), perf_counter()
-    with progress_line(options.quiet, verbose=False) as line:
+    with ProgressLine(options.quiet) as line:
         needed = offer_of(options.method).kernels(
             params, options.style_channels, options.guide_channels
         )

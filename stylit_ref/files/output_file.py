@@ -6,6 +6,7 @@ import shutil
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 from stylit_ref.errors import InputError
 
@@ -67,46 +68,40 @@ def check_folder(folder: str | Path) -> None:
     ------
     InputError
     """
-    with folder_for_a_check(folder):
-        if not os.access(folder, os.W_OK):
-            raise InputError(f"{folder}: cannot be written: permission denied")
+    nearest = nearest_folder(folder)
+    if not nearest.is_dir():
+        raise InputError(f"{nearest}: is a file; name a folder")
+    try:  # a name of its own: other processes may check the same folder
+        with TemporaryDirectory(prefix=".", dir=nearest):
+            pass
+    except OSError as error:
+        raise InputError(f"{folder}: cannot be written: {error.strerror}") from None
 
 
-@contextmanager
-def folder_for_a_check(folder: str | Path) -> Iterator[None]:
-    """Make a folder, and those it lies in, while the block runs; remove what was made.
-
-    Raises
-    ------
-    InputError
-        If it cannot be made.
-    """
-    made = _make_folder(folder)
-    try:
-        yield
-    finally:
-        _remove_folders(made)
+def nearest_folder(folder: str | Path) -> Path:
+    """The folder itself, or the innermost of those it lies in that exists."""
+    place = real_path(folder)
+    return next(part for part in (place, *place.parents) if part.exists())
 
 
 def _make_folder(folder):
     """Make a folder and those it lies in; returns what was made, the innermost first."""
-    folder, made = Path(folder), []
+    made = []
     try:
-        missing = [part for part in (folder, *folder.absolute().parents) if not part.exists()]
-        for part in reversed(missing):
-            part.mkdir(exist_ok=True)
-            made.insert(0, part)
+        for part in reversed([folder, *folder.parents]):
+            if not part.exists():
+                with suppress(FileExistsError):  # another process was faster
+                    part.mkdir()
+                    made.insert(0, part)
     except OSError as error:
         _remove_folders(made)
         raise InputError(f"{folder}: the folder cannot be made: {error.strerror}") from None
-    if not folder.is_dir():
-        raise InputError(f"{folder}: is a file; name a folder")
     return made
 
 
 def _remove_folders(folders):
     for folder in folders:
-        with suppress(OSError):  # another program has put something there
+        with suppress(OSError):  # another process has put something there
             folder.rmdir()
 
 

@@ -12,7 +12,7 @@ from stylit_ref.files.bit_depth import to_linear, to_uint8
 from stylit_ref.files.image_file import read_pixels, reason_of
 from stylit_ref.files.output_file import (
     check_writable,
-    folder_for_a_check,
+    nearest_folder,
     real_path,
     temporary_name,
     whole_file,
@@ -108,7 +108,7 @@ def check_image_writable(path: str | Path, channels: int) -> None:
         )
     check_writable(path)
     place = real_path(path)
-    with folder_for_a_check(place.parent), temporary_name(place) as probe:
+    with temporary_name(nearest_folder(place.parent) / place.name) as probe:
         if not output.open(str(probe), oiio.ImageSpec(1, 1, channels, "uint8")):
             raise InputError(f"{path}: cannot be written: {reason_of(output.geterror())}")
         output.write_image(np.zeros((1, 1, channels), np.uint8))

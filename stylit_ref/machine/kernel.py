@@ -1,6 +1,7 @@
 """Loops over whole arrays, compiled when they are first called."""
 
 import inspect
+import logging
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from contextvars import ContextVar
@@ -12,9 +13,11 @@ from numba import njit, types
 from numba.core.dispatcher import Dispatcher
 
 from stylit_ref.machine.forks import survive_forks
+from stylit_ref.machine.interruption import heed_waiting
 from stylit_ref.machine.kernel_cache import KernelCache
+from stylit_ref.notes import note
 
-survive_forks()
+survive_forks()  # here, since every kernel comes from here
 
 Arguments = ParamSpec("Arguments")
 
@@ -68,10 +71,17 @@ def compile_missing(
         How many were compiled.
     """
     missing = [each for each in kernels if not each.is_compiled]
+    if any(each.folder is None for each in missing):
+        note(
+            "compiled kernels cannot be kept, since no folder for them can be written; set "
+            "NUMBA_CACHE_DIR to one that can",
+            level=logging.WARNING,
+        )
     for number, each in enumerate(missing, 1):
         if progress:
             progress(number, len(missing))
         each.dispatcher.compile(each.types)
+        heed_waiting()
     return len(missing)
 
 
@@ -127,10 +137,11 @@ def kernel(
             rehearsed = _REHEARSED.get()
             if rehearsed is None:
                 dispatcher(*arguments, **named)
-                return
-            values = inspect.signature(function).bind(*arguments, **named).args
-            types_of = tuple(map(dispatcher.typeof_pyval, values))
-            rehearsed[Specialization(dispatcher, types_of)] = None
+                heed_waiting()
+            elif isinstance(dispatcher, Dispatcher):  # and not NUMBA_DISABLE_JIT's plain function
+                values = inspect.signature(function).bind(*arguments, **named).args
+                types_of = tuple(map(dispatcher.typeof_pyval, values))
+                rehearsed[Specialization(dispatcher, types_of)] = None
 
         run.dispatcher = dispatcher
         return run

@@ -20,7 +20,6 @@ from numba.core.caching import FunctionCache, IndexDataCacheFile
 from numba.core.registry import cpu_target
 
 from stylit_ref.machine.code_digest import code_digest, imported_files
-from stylit_ref.machine.interruption import heed_waiting
 
 STARTED = time.time_ns()
 """When this process came to know the code. A file changed later is not the one it runs."""
@@ -77,7 +76,6 @@ class KernelCache(FunctionCache):
         with suppress(OSError, RuntimeError):
             if self._is_as_it_ran:
                 super().save_overload(*arguments)
-        heed_waiting()
 
     def holds(self, types: tuple[types.Type, ...]) -> bool:
         """Whether the kernel for arguments of these types is on the disk."""

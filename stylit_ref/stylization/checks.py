@@ -4,12 +4,13 @@ import logging
 from collections.abc import Sequence
 from dataclasses import replace
 from numbers import Integral
+from os import PathLike
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stylit_ref.arrays import as_array
-from stylit_ref.errors import InputError
+from stylit_ref.errors import InputError, shown
 from stylit_ref.formulae.patch_penalization import omega_best
 from stylit_ref.metric.lower_bound import BOUND_SCALE
 from stylit_ref.metric.packing import ONE, Packing, occurrence_weight
@@ -26,6 +27,8 @@ def size_text(shape: tuple[int, ...]) -> str:
 
 def as_image(array: ArrayLike, name: str) -> NDArray[np.uint8]:
     """The array as (H, W, n) uint8."""
+    if isinstance(array, str | PathLike):
+        raise InputError("is a path; read the file with read_uint8", parameter=name)
     array = as_array(array, name)
     if array.dtype != np.uint8:
         raise InputError(
@@ -116,8 +119,8 @@ def _check_order(style, sources, targets, source_names, target_names):
     ):
         if source.shape[:2] != style.shape[:2] == target.shape[:2]:
             raise InputError(
-                f"is {size_text(source.shape)} and {other} is {size_text(target.shape)}, as the "
-                "style is: source and target look swapped; name the source first",
+                f"is {size_text(source.shape)} but the style is {size_text(style.shape)}, as "
+                f"{other} is: source and target look swapped; name the source first",
                 parameter=name,
             )
 
@@ -234,7 +237,9 @@ def check_nnf(
 def check_seed(seed: int) -> None:
     """A seed is 64 bits."""
     if not isinstance(seed, Integral) or not 0 <= seed < 1 << 64:
-        raise InputError(f"is {seed}; it must be an integer from 0 to 2**64 - 1", parameter="seed")
+        raise InputError(
+            f"is {shown(seed)}; it must be an integer from 0 to 2**64 - 1", parameter="seed"
+        )
 
 
 def check_range(

@@ -125,12 +125,13 @@ class Params:
     fixed_share: float = parameter(
         0.95,
         Share(),
-        "with --method stylit: share of the target that source patches look for themselves",
+        "with --method stylit: share of the target that source patches fill; the rest is searched "
+        "the other way round",
     )
     error_limit: float | None = parameter(
         None,
         Optional(Number(1, LARGEST_WEIGHT)),
-        "with --method stylit: α, how many times its least error a patch may accept",
+        "with --method stylit: α, the largest error that a patch accepts, over the least it found",
     )
 
     def __post_init__(self) -> None:

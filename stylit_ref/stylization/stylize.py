@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stylit_ref.arrays import as_array
-from stylit_ref.errors import InputError
+from stylit_ref.errors import InputError, shown
 from stylit_ref.machine.forks import available_threads
 from stylit_ref.machine.profiling import Profile
 from stylit_ref.metric.packing import ONE
@@ -177,10 +177,12 @@ def _threads(threads):
         yield
         return
     if not isinstance(threads, Integral) or threads < 1:
-        raise InputError(f"is {threads}; it must be an integer of at least 1", parameter="threads")
+        raise InputError(
+            f"is {shown(threads)}; it must be an integer of at least 1", parameter="threads"
+        )
     available = available_threads()
     if threads > available:
-        note(f"is {threads}, but {available} is all there is here", parameter="threads")
+        note(f"is {threads}, but {available} are used, all that there are", parameter="threads")
     before = numba.get_num_threads()
     numba.set_num_threads(min(threads, available))
     try:

@@ -9,12 +9,16 @@ import numpy as np
 from stylit_ref import passes
 from stylit_ref.machine.kernel import Specialization, compile_missing, rehearsal
 from stylit_ref.machine.replaced import replaced
+from stylit_ref.parameters import Integer, Several
 from stylit_ref.stylization.backends import CPU
-from stylit_ref.stylization.params import Params
+from stylit_ref.stylization.params import Params, as_params
 from stylit_ref.stylization.problem import make_synthesis
 
 FIVE_GUIDES = (3, 3, 3, 3, 3)
 """Channels of the light passes of Fišer et al. 2016, in colour."""
+
+STYLE_CHANNELS = Integer(1, 4)
+GUIDE_CHANNELS = Several(Integer(1, 1000), "guide_channels")
 
 
 def warm_up(
@@ -50,7 +54,7 @@ def warm_up(
     InputError
         If the parameters and channels do not fit together.
     """
-    needed = kernels_of_run(params or Params(), style_channels, guide_channels)
+    needed = kernels_of_run(as_params(params), style_channels, guide_channels)
     return compile_missing(needed, progress)
 
 
@@ -75,10 +79,13 @@ def kernels_of_run(
     InputError
         If the parameters and channels do not fit together.
     """
+    style_channels = STYLE_CHANNELS.check("style_channels", style_channels)
+    guide_channels = GUIDE_CHANNELS.check("guide_channels", guide_channels)
     side = 2 * params.patch_width  # two levels, and no array with a side of 1, whose type differs
     black = [np.zeros((side, side, channels), np.uint8) for channels in guide_channels]
     style = np.zeros((side, side, style_channels), np.uint8)
-    short = replace(params, levels=2, votes=1, patchmatch_iterations=1)
+    # λ decides about no kernel, and need not be one that suits such small images.
+    short = replace(params, levels=2, votes=1, patchmatch_iterations=1, uniformity=0)
     with rehearsal() as rehearsed:
         own = replaced(passes, random_nnf=_first_nnf, energy=_no_energy)
         make_synthesis(style, black, black, short, backend=CPU._replace(passes=own)).finish()

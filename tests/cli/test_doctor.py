@@ -3,11 +3,13 @@
 import os
 
 import numba
+import numpy as np
 import pytest
 
 from stylit_ref import Params
 from stylit_ref.cli import main
 from stylit_ref.cli.methods import OFFERS
+from stylit_ref.machine.kernel import kernel, rehearsal
 from stylit_ref.stylization.warm_up import kernels_of_run
 
 
@@ -38,22 +40,49 @@ def test_threads_files_and_versions(told):
     assert said["stylit-ref"].startswith("0.")
 
 
-def test_kernels_in_an_empty_folder_and_after_a_kernel_is_compiled(told, tmp_path, monkeypatch):
-    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
-    kernels = kernels_of_run(Params(), 3, (3,) * 5)
-    compiled = sum(each.is_compiled for each in kernels)
-    assert f"ref {compiled} of {len(kernels)}, " in told()["compiled"]
-    kernels[0].dispatcher.compile(kernels[0].types)
-    assert f"ref {sum(each.is_compiled for each in kernels)} of" in told()["compiled"]
+@pytest.fixture
+def kernels(monkeypatch):
+    """The kernels that a method is said to need, in the place of its own."""
+
+    def need(found):
+        for name, offer in OFFERS.items():
+            monkeypatch.setitem(OFFERS, name, offer._replace(kernels=lambda *_: found))
+
+    return need
 
 
-def test_without_a_folder_for_kernels_it_says_so(told, monkeypatch):
-    def kernels(*_):
-        return [each._replace(dispatcher=numba.njit(each.dispatcher.py_func)) for each in found]
+def test_it_counts_what_is_compiled(told, kernels, tmp_path, monkeypatch):
+    monkeypatch.setattr(numba.config, "CACHE_DIR", str(tmp_path))
 
+    @kernel(parallel=False)
+    def first(array):
+        array[0] = 1
+
+    @kernel(parallel=False)
+    def second(array):
+        array[0] = 2
+
+    with rehearsal() as found:
+        first(np.zeros(1))
+        second(np.zeros(1))
+    kernels(list(found))
+    said = told()
+    assert said["compiled"].startswith("0 of 2 for ref, 0 of 2 for guide_map, 0 of 2 for stylit, ")
+    assert f" MiB in {tmp_path}" in said["kernels"]
+    first(np.zeros(1))
+    assert told()["compiled"].startswith("1 of 2 for ref, ")
+
+
+def test_without_a_folder_for_kernels_it_says_so(told, kernels):
     found = kernels_of_run(Params(), 3, (3,))
-    for name, offer in OFFERS.items():
-        monkeypatch.setitem(OFFERS, name, offer._replace(kernels=kernels))
+    kernels([each._replace(dispatcher=numba.njit(each.dispatcher.py_func)) for each in found])
     assert told()["kernels"] == (
-        "no folder can be written, so every run compiles; set NUMBA_CACHE_DIR"
+        "no folder can be written, so every run compiles; set NUMBA_CACHE_DIR to one that can"
+    )
+
+
+def test_a_folder_that_cannot_be_written_is_named(told, tmp_path, monkeypatch):
+    monkeypatch.setattr(numba.config, "CACHE_DIR", str(tmp_path / "elsewhere"))
+    assert told()["kernels"].endswith(
+        f"; NUMBA_CACHE_DIR names {tmp_path / 'elsewhere'}, which cannot be written"
     )

@@ -2,10 +2,11 @@
 
 import shlex
 
+import pytest
 from cli.calls import QUICK
 
 from stylit_ref import read_image
-from stylit_ref.cli import main
+from stylit_ref.cli import main, make_parser
 
 
 def test_the_example_can_be_stylized(tmp_path, monkeypatch, capsys):
@@ -38,6 +39,21 @@ def test_an_example_again_completes_and_replaces_nothing(tmp_path, capsys):
 def test_an_example_in_an_empty_folder(tmp_path):
     assert main(["example", str(tmp_path)]) == 0
     assert (tmp_path / "teapot" / "FULL.png").exists()
+
+
+@pytest.mark.parametrize("folder", ["scenes", "-scenes"])
+def test_the_printed_command_is_one_of_ours(tmp_path, monkeypatch, capsys, folder):
+    monkeypatch.chdir(tmp_path)
+    assert main(["example", "--", folder]) == 0
+    words = shlex.split(capsys.readouterr().out)
+    make_parser().parse_args(words[1:])
+
+
+def test_another_manifest_makes_no_folder_of_scenes(tmp_path, capsys):
+    (tmp_path / "manifest.json").write_text("{}")
+    assert main(["example", str(tmp_path)]) == 2
+    assert "holds other files" in capsys.readouterr().err
+    assert [file.name for file in tmp_path.iterdir()] == ["manifest.json"]
 
 
 def test_an_example_among_other_files_is_refused(tmp_path, capsys):

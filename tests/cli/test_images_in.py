@@ -128,5 +128,5 @@ class TestRefusals:
     def test_source_and_target_that_look_swapped(self, scene, capsys):
         folder = scene[0]
         message = refused(capsys, run(folder, guides=("target_{}.png", "source_{}.png")))
-        assert f"--guide {folder / 'target_0.png'} is 44x38 and --guide " in message
+        assert f"--guide {folder / 'target_0.png'} is 44x38 but the style is 46x40, as " in message
         assert message.endswith("source and target look swapped; name the source first")

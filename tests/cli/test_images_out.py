@@ -31,10 +31,10 @@ class TestRefusals:
         [
             ("--output", "style.png/out.png", "style.png: is a file; name a folder"),
             ("--output", "out.docx", "'.docx'"),
-            ("--nnf", "style.png/deep/nnf.npy", "deep: the folder cannot be made"),
+            ("--nnf", "style.png/deep/nnf.npy", "style.png: is a file; name a folder"),
             ("--nnf", "nnf.txt", "must end in .npy"),
             ("--save-levels", "style.png", "style.png: is a file; name a folder"),
-            ("--save-levels", "style.png/deep", "deep: the folder cannot be made"),
+            ("--save-levels", "style.png/deep", "style.png: is a file; name a folder"),
         ],
     )
     def test_unwritable_outputs(self, scene, capsys, option, value, message):

@@ -3,8 +3,7 @@
 import pytest
 
 from stylit_ref.cli import main
-
-EBSYNTH = "docs/how_to/from_ebsynth.md has every option of ebsynth"
+from stylit_ref.cli.parser import EBSYNTH_PAGE
 
 
 def refusal(capsys, command):
@@ -24,10 +23,15 @@ def refusal(capsys, command):
         ("run --style s --ouput=o.png", "there is no option --ouput; did you mean --output?"),
         ("run --patchsize 5", "--patchsize: did you mean --patch-size?"),
         ("run --frobnicate", "there is no option --frobnicate"),
-        ("run -style s.png", f"-style: two dashes here: --style; {EBSYNTH}"),
-        ("run -patchsize 5", f"-patchsize: two dashes here: --patch-size; {EBSYNTH}"),
+        ("run --levels 5", "--levels: did you mean --pyramid-levels?"),
+        ("run --guide-weights 5", "--guide-weights: did you mean --weight?"),
+        ("run --quiet --style s -x.png", "there is no option -x.png"),
+        ("run --guide a -b.png", "--guide -b.png: a name cannot begin with a dash; write ./-b.png"),
+        ("example -scenes", "-scenes: a name cannot begin with a dash; write ./-scenes"),
+        ("run -style s.png", f"-style: two dashes here: --style; {EBSYNTH_PAGE}"),
+        ("run -patchsize 5", f"-patchsize: two dashes here: --patch-size; {EBSYNTH_PAGE}"),
         ("run -seed 5", "-seed: two dashes here: --seed"),
-        ("run -extrapass3x3", f"there is no option -extrapass3x3; {EBSYNTH}"),
+        ("run -extrapass3x3", f"there is no option -extrapass3x3; {EBSYNTH_PAGE}"),
         ("replay --nff n.npy", "there is no option --nff; did you mean --nnf?"),
         ("oracle check --prot x", "there is no option --prot; did you mean --port?"),
     ],
@@ -40,7 +44,7 @@ def test_an_unknown_option_is_named_before_another_is_missed(capsys, command, sa
 @pytest.mark.parametrize(
     ("command", "said"),
     [
-        ("-style s.png", f"-style: name the command first: stylit-ref run --style; {EBSYNTH}"),
+        ("-style s.png", f"-style: name the command first: stylit-ref run --style; {EBSYNTH_PAGE}"),
         ("--preset fast", "--preset: name the command first: stylit-ref run --preset"),
         ("--frobnicate", "there is no option --frobnicate"),
         ("rum --style s.png", "there is no command 'rum'; did you mean run?"),
@@ -55,21 +59,36 @@ def test_without_a_command(capsys, command, said):
     ("words", "said"),
     [
         (
-            "--guide a b c d --output o",
+            "--guide a b c d",
             "c: --guide takes SOURCE and TARGET; repeat --guide for each pair",
         ),
+        ("--output a a", "a: --output has its value already; put a name with spaces in quotes"),
+        ("--quiet extra", "extra: is neither an option nor the value of one"),
         (
             "--guide a b --output my picture.png",
             "picture.png: --output has its value already; put a name with spaces in quotes",
         ),
-        ("x --guide a b --output o", "x: is neither an option nor the value of one"),
+        ("--guide a b x", "x: --guide takes SOURCE and TARGET; repeat --guide for each pair"),
     ],
 )
 def test_words_that_are_left_over(capsys, words, said):
-    assert refusal(capsys, f"run {words} --style s") == f"stylit-ref run: {said}"
+    assert refusal(capsys, f"run --style a {words}") == f"stylit-ref run: {said}"
+
+
+def test_words_after_two_dashes(capsys):
+    said = refusal(capsys, "example a -- b")
+    assert said == "stylit-ref: unrecognized arguments: b"
+
+
+def test_a_choice_that_is_none(capsys):
+    said = refusal(capsys, "run --style a --preset quick")
+    assert said.startswith("stylit-ref run: --preset: invalid choice: 'quick'")
 
 
 def test_negative_numbers_and_names_with_spaces_are_values(capsys):
     command = ["run", "--style", "- a", "--guide", "a", "b", "--output", "o.png", "--seed", "-1"]
+    command += ["--uniformity", "-5.5"]
     assert main(command) == 2
+    assert capsys.readouterr().err.startswith("stylit-ref: --uniformity is -5.5; it must be")
+    assert main(command[:-2]) == 2
     assert capsys.readouterr().err == "stylit-ref: - a: no such file\n"

@@ -3,10 +3,12 @@
 import re
 
 import numba
+import numpy as np
 import pytest
 from cli.calls import run
 
 from stylit_ref.cli import main
+from stylit_ref.machine.kernel import kernel, rehearsal
 
 
 @pytest.fixture
@@ -38,22 +40,54 @@ def test_stylit_tells_what_is_placed(scene, shown):
     assert re.search(pattern, last)
 
 
-def test_compilation_is_counted_and_no_part_of_the_run(scene, shown, tmp_path_factory, monkeypatch):
-    monkeypatch.setattr(numba.config, "CACHE_DIR", str(tmp_path_factory.mktemp("kernels")))
-    small = "--patch-size", 37, "--pyramid-levels", 1, "--schedule", "scanline"
-    told = shown(scene[0], *small)
+@pytest.fixture
+def needed(monkeypatch):
+    """Have a run need some kernels that nobody has compiled, of tests/cli alone."""
+
+    def need(count):
+        def made(number):
+            @kernel(number, parallel=False)
+            def store(array):
+                array[0] = number
+
+            return store
+
+        with rehearsal() as found:
+            for number in range(count):
+                made(number)(np.zeros(1))
+        monkeypatch.setattr("stylit_ref.stylization.warm_up.kernels_of_run", lambda *_: found)
+
+    return need
+
+
+@pytest.mark.parametrize("count", [1, 3])
+def test_compilation_is_counted_and_no_part_of_the_run(
+    scene, shown, needed, tmp_path, monkeypatch, count
+):
+    monkeypatch.setattr(numba.config, "CACHE_DIR", str(tmp_path / "kernels"))
+    needed(count)
+    told = shown(scene[0])
     compiling = [line for line in told if line.startswith("compiling")]
-    counts = [re.match(r"compiling kernels (\d+) of (\d+), once \|", line) for line in compiling]
-    numbers = [int(match[1]) for match in counts]
-    (count,) = {int(match[2]) for match in counts}
+    numbers = [
+        int(re.match(rf"compiling kernels (\d+) of {count}, once \|", line)[1])
+        for line in compiling
+    ]
     assert sorted(set(numbers)) == list(range(1, count + 1))
-    first = next(line for line in told if "level 1 of 1" in line)
-    assert told.index(first) > told.index(compiling[-1])
-    assert "00:00<" in first
+    running = [line for line in told if "level" in line]
+    assert told.index(running[0]) > told.index(compiling[-1])
+    assert re.match(r" *\d+% \|.*\| 00:00<", running[0])
+    assert running[-1].startswith("100%")
+
+
+def test_nothing_is_shown_before_there_is_something_to_tell(scene, shown):
+    """So notes and refusals have their line, and the estimate knows of the run alone."""
+    first = shown(scene[0], "--threads", "100000")[0]
+    assert first.startswith("note: --threads is 100000, but ")
 
 
 def test_quiet_says_nothing(scene, shown):
-    assert shown(scene[0], "--quiet", "--nnf", scene[0] / "nnf.npy") == [""]
+    options = "--quiet", "--threads", "100000", "--nnf", scene[0] / "nnf.npy"
+    assert shown(scene[0], *options) == [""]
 
 
 def test_all_files_are_named_at_the_end(scene, capfd):

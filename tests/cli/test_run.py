@@ -65,9 +65,9 @@ def test_profile_names_the_stages(scene, capsys):
 def test_fewer_levels_are_noted_where_levels_were_asked_for(scene, capsys):
     folder, style, guide = scene[0], scene[0] / "style.png", scene[0] / "source_0.png"
     command = ["run", "--style", f"{style}", "--guide", f"{guide}", f"{guide}"]
-    command += ["--preset", "fast", "--quiet", "--output", f"{folder / 'out.png'}"]
+    command += ["--preset", "fast", "--output", f"{folder / 'out.png'}"]
     assert main(command) == 0
-    assert capsys.readouterr().err == ""
+    assert "note: " not in capsys.readouterr().err
     assert main([*command, "--pyramid-levels", "9"]) == 0
     assert "note: --pyramid-levels is 9, but 4 are used" in capsys.readouterr().err
 

@@ -30,6 +30,7 @@ from data_gen.multilayer_exr import write_layers
 from data_gen.renderer import MissingRendererError, start
 from oracle.families import STYLIZATION
 from stylit_ref import Params, read_uint8
+from stylit_ref.cli.parser import EBSYNTH
 from stylit_ref.files.bit_depth import to_linear
 from stylit_ref.metric.packing import ONE, make_packing
 
@@ -289,11 +290,7 @@ def test_every_reason_for_not_running_is_in_use():
 def test_every_flag_on_the_page_on_ebsynth_is_there():
     page = (ROOT / "docs/how_to/from_ebsynth.md").read_text(encoding="utf-8")
     assert set(re.findall(r"`(--[a-z-]+)", page)) <= flags_of("stylit_ref.cli run")
-    theirs = (
-        "style", "guide", "weight", "output", "uniformity", "patchsize", "pyramidlevels",
-        "searchvoteiters", "patchmatchiters", "extrapass3x3", "stopthreshold", "backend",
-    )  # fmt: skip
-    assert set(re.findall(r"^\| `-([a-z0-9]+)", page, re.MULTILINE)) == set(theirs)
+    assert set(re.findall(r"^\| `-([a-z0-9]+)", page, re.MULTILINE)) == set(EBSYNTH)
 
 
 def test_a_port_is_told_every_stage_in_order():

@@ -104,6 +104,16 @@ def test_folders_are_made(tmp_path, image):
     assert read_image(file).shape[:2] == image.shape[:2]
 
 
+def test_processes_write_into_one_new_folder(tmp_path):
+    """None sees a folder of another one that is about to vanish."""
+    for number in range(10):
+        folder = tmp_path / f"{number}" / "deep"
+        with ThreadPoolExecutor(8) as pool:
+            files = [folder / f"{k}.png" for k in range(8)]
+            list(pool.map(write_image, files, [np.zeros((2, 2, 3), np.uint8)] * 8))
+        assert sorted(folder.iterdir()) == files
+
+
 def test_a_folder_made_for_a_file_that_fails_is_removed(tmp_path):
     with pytest.raises(InputError, match="may need"), whole_file(tmp_path / "a" / "b", 1 << 60):
         pass

@@ -72,7 +72,7 @@ def test_an_option_that_would_act_on_the_terminal():
 def test_a_name_that_begins_with_a_dash():
     refused(
         run("--output", "-out.png"),
-        "--output -out.png: a value cannot begin with a dash; write ./-out.png …",
+        "--output -out.png: a name cannot begin with a dash; write ./-out.png …",
     )
 
 

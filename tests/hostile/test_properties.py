@@ -230,8 +230,7 @@ def test_masks_seeds_and_threads_pass_the_door_if_they_fit(door, mask, fill, see
         assert good_seed
         assert good_threads
     else:
-        most = "this machine offers" in sentence  # the number of threads depends on the machine
-        assert most or not (good_mask and good_fill and good_seed and good_threads)
+        assert not (good_mask and good_fill and good_seed and good_threads)
         assert any(word in sentence for word in ("mask", "fill", "seed", "threads"))
 
 

@@ -74,8 +74,21 @@ class Strike(event.Listener):
         pass
 
 
-def test_an_interruption_waits_for_one_kernel_and_not_for_the_next(tmp_path, monkeypatch):
-    monkeypatch.setattr(numba.config, "CACHE_DIR", str(tmp_path))
+@pytest.fixture(params=["kept", "not kept"])
+def _folder_for_kernels(request, tmp_path, monkeypatch):
+    if request.param == "kept":
+        monkeypatch.setattr(numba.config, "CACHE_DIR", str(tmp_path))
+    else:
+
+        def nowhere(*_):
+            raise RuntimeError("no locator available")
+
+        monkeypatch.setattr("stylit_ref.machine.kernel.KernelCache.__init__", nowhere)
+
+
+@pytest.fixture
+def two_kernels(_folder_for_kernels):
+    """Two kernels that nobody has compiled."""
 
     @kernel(1, parallel=False)
     def first(array):
@@ -85,11 +98,25 @@ def test_an_interruption_waits_for_one_kernel_and_not_for_the_next(tmp_path, mon
     def second(array):
         array[0] = 2
 
-    with rehearsal() as kernels:
-        first(np.zeros(1))
-        second(np.zeros(1))
+    return first, second
+
+
+def test_an_interruption_waits_for_one_kernel_and_not_for_the_next(two_kernels):
+    with rehearsal() as found:
+        for each in two_kernels:
+            each(np.zeros(1))
     told = []
     with event.install_listener("numba:compile", Strike()), pytest.raises(KeyboardInterrupt):
-        compile_missing(kernels, lambda *step: told.append(step))
+        compile_missing(found, lambda *step: told.append(step))
     assert told == [(1, 2)]
-    assert [each.is_compiled for each in kernels] == [True, False]
+    assert [bool(each.dispatcher.overloads) for each in two_kernels] == [True, False]
+
+
+def test_an_interruption_while_a_kernel_is_called_waits_for_it_alone(two_kernels):
+    def call():
+        for each in two_kernels:
+            each(np.zeros(1))
+
+    with event.install_listener("numba:compile", Strike()), pytest.raises(KeyboardInterrupt):
+        call()
+    assert [bool(each.dispatcher.overloads) for each in two_kernels] == [True, False]

@@ -1,5 +1,6 @@
 """Kernels on disk: found again, told apart, and never stale."""
 
+from contextlib import suppress
 from pathlib import Path
 
 import brute_force
@@ -10,7 +11,7 @@ from code_copy import CodeCopy
 
 import stylit_ref.machine.kernel_cache
 from stylit_ref.machine.code_digest import imported_files
-from stylit_ref.machine.kernel import kernel
+from stylit_ref.machine.kernel import compile_missing, kernel, rehearsal
 
 
 @pytest.fixture(autouse=True)
@@ -159,3 +160,26 @@ def test_a_kernel_outside_the_library_is_never_stale(tmp_path):
     assert code.python("-c", program).strip() == "12 compiled"
     code.edit("formula.py", "* 2", "* 3")
     assert code.python("-c", program).strip() == "13 compiled"
+
+
+def test_what_is_missing_is_told_and_compiled():
+    kernels = [make_kernel(number) for number in (1, 2)]
+    with rehearsal() as found:
+        for each in (*kernels, kernels[0]):
+            each(np.zeros(1, np.int64))
+    kernels[0](np.zeros(1, np.int64))
+    told = []
+    assert compile_missing(found, lambda *step: told.append(step)) == 1
+    assert told == [(1, 1)]
+    assert compile_missing(found) == 0
+
+
+def test_a_rehearsal_ends_with_its_block():
+    array = np.zeros(1, np.int64)
+    store = make_kernel(3)
+    with suppress(ValueError), rehearsal():
+        store(array)
+        raise ValueError
+    assert array[0] == 0
+    store(array)
+    assert array[0] == 3

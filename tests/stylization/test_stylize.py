@@ -181,7 +181,7 @@ def test_threads_that_are_not_there_are_left_out_and_noted(caplog):
     offered = numba.config.NUMBA_NUM_THREADS
     with caplog.at_level("INFO", "stylit_ref"):
         assert_same(stylize(*small_scene(), QUICK), stylize(*small_scene(), QUICK, threads=100000))
-    said = f"threads is 100000, but {offered} is all there is here"
+    said = f"threads is 100000, but {offered} are used, all that there are"
     assert caplog.record_tuples == [("stylit_ref", logging.INFO, said)]
     assert numba.get_num_threads() == offered
 

@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 
-import numba
 import numpy as np
 import pytest
 from numba.core import event
@@ -57,20 +56,6 @@ def test_a_run_compiles_nothing_that_was_not_warmed_up(values, style_channels, g
     assert compiled.names == []
 
 
-def test_each_kernel_is_told_before_it_is_compiled(tmp_path, monkeypatch):
-    """The kernels that no other test or run can have compiled, in a folder of their own."""
-    monkeypatch.setattr(numba.config, "CACHE_DIR", str(tmp_path))
-    steps = []
-    params = Params(schedule="scanline", patch_width=59)
-    needed = kernels_of_run(params, 1, (1,))
-    missing = [each for each in needed if not each.is_compiled]
-    count = warm_up(
-        params, style_channels=1, guide_channels=(1,), progress=lambda *step: steps.append(step)
-    )
-    assert count == len(missing) > 0
-    assert steps == [(number, count) for number in range(1, count + 1)]
-
-
 def test_a_rehearsal_leaves_kernels_as_they_are():
     kernels_of_run(Params(), 3, (3,))
     style, guide = random_images([(20, 20, 3), (20, 20, 3)])
@@ -78,6 +63,22 @@ def test_a_rehearsal_leaves_kernels_as_they_are():
     assert (result.nnf > 0).all()
 
 
-def test_channels_that_do_not_fit_are_refused():
-    with pytest.raises(InputError, match="5 channels"):
-        warm_up(style_channels=5)
+def test_a_rehearsal_notes_nothing(caplog):
+    with caplog.at_level("INFO", "stylit_ref"):
+        kernels_of_run(Params(patch_width=63, uniformity=100), 3, (3,))
+    assert caplog.records == []
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        ({"style_channels": 5}, "style_channels is 5; it must be an integer from 1 to 4"),
+        ({"guide_channels": 3}, "guide_channels is 3; it must be a list of numbers"),
+        ({"guide_channels": [0]}, "guide_channels 1 is 0; it must be an integer from 1 to 1000"),
+        ({"params": "fast"}, "params is 'fast'; write Params.preset('fast')"),
+    ],
+)
+def test_arguments_that_do_not_fit_are_refused(arguments, said):
+    with pytest.raises(InputError) as refused:
+        warm_up(**arguments)
+    assert str(refused.value) == said
