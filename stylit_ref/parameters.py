@@ -55,7 +55,8 @@ class Integer:
         if not fits or (self.odd and value % 2 == 0):
             what = "an odd integer" if self.odd else "an integer"
             raise InputError(
-                f"is {shown(value)}; it must be {what} from {self.least} to {self.most}{self.remark}",
+                f"is {shown(value)}; it must be {what} from {self.least} to {self.most}"
+                f"{self.remark}",
                 parameter=name,
             )
         return int(value)

@@ -8,8 +8,6 @@ call on the oracle, the bundled scenes and what there is for a GPU.
 
 import sys
 
-import numba
-
 from stylit_ref import __version__
 from stylit_ref.cli import doctor, example, oracle, replay, run, warm_up
 from stylit_ref.cli.notes import notes_on_stderr
@@ -29,7 +27,7 @@ COMMANDS = example, run, replay, doctor, warm_up, oracle
 
 
 def command() -> None:
-    """Entry point of ``stylit-ref``."""
+    """Run the command line in a process of its own."""
     heed_interruptions()
     sleep_while_waiting()
     sys.exit(main())
@@ -55,8 +53,6 @@ def main(arguments: list[str] | None = None) -> int:
         return 2
     options = parser.parse_args(arguments)
     try:
-        if numba.config.NUMBA_NUM_THREADS < 1:
-            raise InputError("must be at least 1", parameter="NUMBA_NUM_THREADS")
         with notes_on_stderr(options):
             return options.command(options) or 0
     except InputError as error:
