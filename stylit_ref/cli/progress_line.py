@@ -30,7 +30,7 @@ class ProgressLine:
     """
 
     def __init__(self, quiet: bool, verbose: bool = False) -> None:
-        self.is_shown = not quiet and sys.stderr.isatty()
+        self.is_shown: bool = not quiet and sys.stderr.isatty()
         self._verbose = verbose
         self._bar: tqdm | None = None
         self._runs = False
