@@ -48,19 +48,20 @@ class ProgressLine:
 
     def compiling(self, number: int, count: int) -> None:
         """Tell which kernel is going to be compiled."""
+        told = f"compiling kernels {number} of {count}, once"
         if number == 1:
-            self._open(_COMPILATION, total=count, leave=False)
+            self._open(_COMPILATION, desc=told, total=count, leave=False)
         self._bar.n = number - 1
-        self._bar.set_description_str(f"compiling kernels {number} of {count}, once")
+        self._bar.set_description_str(told)
 
     def step(self, step: Step) -> None:
         """Tell a step of the run."""
-        if not self._runs:
-            self._runs = True
-            self._open(_RUN, total=1.0, initial=step.done)
         told = _place(step)
         if self._verbose:
             told += f"  {_energy(step)}"
+        if not self._runs:
+            self._runs = True
+            self._open(_RUN, desc=told, total=1.0, initial=step.done)
         self._bar.set_description_str(told, refresh=False)
         self._bar.update(step.done - self._bar.n)
 
