@@ -8,7 +8,6 @@ from contextlib import redirect_stderr
 from dataclasses import asdict
 from decimal import Decimal
 from fractions import Fraction
-from pathlib import Path
 
 import numpy as np
 import pytest
