@@ -101,6 +101,10 @@ def _read_pixels(path):
     source = open_image(file)
     source.seek_subimage(part, 0)
     spec = source.spec()
+    if spec.deep:  # OpenImageIO would return pixels that it did not fill
+        raise InputError(
+            f"{path}: holds deep pixels; flatten it first: oiiotool {file} --flatten -o flat.exr"
+        )
     stored = {str(spec.channelformat(channel)) for channel in channels}
     if not stored <= _DEPTHS.keys():
         raise InputError(
