@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from stylit_ref.errors import InputError
 from stylit_ref.files.image_file import check_size, open_image, read_pixels, reason_of
 from stylit_ref.files.layers import Layer
+from stylit_ref.files.oddities import note_oddities
 
 _DEPTHS = {"uint8": "uint8", "uint16": "uint16"} | dict.fromkeys(
     ("half", "float", "double"), "float"
@@ -52,6 +53,7 @@ def read_layer(
     if pixels is None:
         raise InputError(f"{file}: cannot be read: {reason_of(source.geterror())}")
     source.close()
+    note_oddities(path, file, spec, layer)
     if spec.roi != spec.roi_full:
         pixels = _in_display_window(pixels, spec)
     pixels = np.ascontiguousarray(_upright(pixels, spec.get_int_attribute("Orientation")))

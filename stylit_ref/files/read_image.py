@@ -28,6 +28,7 @@ class _Picture(NamedTuple):
     ----------
     pixels : (H, W, n) uint8, uint16 or float32
     alpha_channel : int or None
+        The last, if there is one.
     is_light : bool
         Whether floating point is scene-linear light; otherwise it is data.
     """
@@ -117,7 +118,7 @@ def read_mask(path: str | Path) -> NDArray[np.bool_]:
     """
     image, alpha_channel, _ = _read(path)
     half = 0.5 if image.dtype == np.float32 else (np.iinfo(image.dtype).max + 1) // 2
-    return _without_alpha(image, alpha_channel).mean(axis=2) >= half
+    return image[:, :, :alpha_channel].mean(axis=2) >= half
 
 
 def _read(path):
@@ -128,6 +129,8 @@ def _read(path):
     if matte:
         return _Picture(read_matte(path, file, *matte), None, is_light=False)
     layer = find_layer(file, name, contents)
+    if contents.has_frames:
+        note(f"{path}: holds several images; the first is read")
     pixels, alpha_channel = read_layer(path, file, layer), layer.alpha_channel
     if alpha_channel is not None:
         alpha = pixels[:, :, alpha_channel]
@@ -136,7 +139,7 @@ def _read(path):
             note(f"{path}: is transparent everywhere; its alpha is left out", level=logging.WARNING)
             pixels = read_layer(path, file, layer, straight=True)
         if (alpha <= 0).all() or (alpha >= opaque).all():
-            pixels, alpha_channel = _without_alpha(pixels, alpha_channel), None
+            pixels, alpha_channel = np.ascontiguousarray(pixels[:, :, :alpha_channel]), None
     if layer.roles[:3] == ("Y", "RY", "BY"):
         pixels = _colours_of_luminance(pixels)
     return _Picture(pixels, alpha_channel, layer.is_light)
@@ -150,12 +153,6 @@ def _colours_of_luminance(pixels):
     return np.dstack([red, green, blue, pixels[:, :, 3:]])
 
 
-def _without_alpha(image, alpha_channel):
-    if alpha_channel is None:
-        return image
-    return np.ascontiguousarray(np.delete(image, alpha_channel, axis=2))
-
-
 def _displayed(path):
     """8-bit display values of a file or layer, and the index of their alpha channel or None.
 
@@ -163,7 +160,7 @@ def _displayed(path):
     """
     image, alpha_channel, is_light = _read(path)
     if image.dtype == np.float32:
-        colours = _without_alpha(image, alpha_channel)
+        colours = image[:, :, :alpha_channel]
         clipped = np.mean((colours < -0.01) | (colours > 1))
         if clipped > 0.05:
             note(
