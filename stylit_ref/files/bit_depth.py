@@ -97,11 +97,11 @@ def _over_straight_colours(
 
     Where alpha is 0, colours are light without a surface, and the curve goes over them as they are.
     """
-    if alpha_channel is None:
-        return curve(image)
-    alpha = np.clip(image[..., alpha_channel], 0, 1)
-    divisor = np.where(alpha > 0, alpha, 1)[..., np.newaxis]
-    with np.errstate(over="ignore"):  # by an alpha of nearly 0
+    with np.errstate(over="ignore"):  # infinity is clipped as other large values are
+        if alpha_channel is None:
+            return curve(image)
+        alpha = np.clip(image[..., alpha_channel], 0, 1)
+        divisor = np.where(alpha > 0, alpha, 1)[..., np.newaxis]
         curved = curve(image / divisor) * divisor
     curved[..., alpha_channel] = alpha
     return curved

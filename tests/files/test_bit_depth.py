@@ -12,6 +12,12 @@ def test_float_is_scene_linear():
     np.testing.assert_array_equal(to_uint8(linear), [0, 0, 10, 118, 188, 255, 255])
 
 
+def test_the_largest_floats_are_white():
+    largest, tiny = np.finfo(np.float32).max, np.finfo(np.float32).tiny
+    np.testing.assert_array_equal(to_uint8(np.float32([largest, -largest])), [255, 0])
+    np.testing.assert_array_equal(to_uint8(np.float32([[largest, tiny]]), 1), [[255, 0]])
+
+
 def test_linear_and_display_are_inverse():
     every = np.arange(256, dtype=np.uint8)
     np.testing.assert_array_equal(to_uint8(to_linear(every)), every)
