@@ -75,7 +75,7 @@ def fitting(typed: str, candidates: Sequence[AnyNamed]) -> list[AnyNamed]:
     """The layers that a name fits best, none if it fits none.
 
     A layer's own name fits best, then another name that it answers to, then one in other letters,
-    then the end of its name: ``DiffDir`` fits ``ViewLayer.DiffDir``.
+    then the end of its name, or of another: ``DiffDir`` fits ``ViewLayer.DiffDir``.
     """
     small = typed.casefold()
     ways: tuple[Callable[[AnyNamed], bool], ...] = (
@@ -83,6 +83,7 @@ def fitting(typed: str, candidates: Sequence[AnyNamed]) -> list[AnyNamed]:
         lambda layer: typed in layer.also,
         lambda layer: small in {name.casefold() for name in (layer.name, *layer.also)},
         lambda layer: layer.name.casefold().endswith(f".{small}"),
+        lambda layer: any(name.casefold().endswith(f".{small}") for name in layer.also),
     )
     found = ([layer for layer in candidates if fits(layer)] for fits in ways)
     return next(filter(None, found), [])

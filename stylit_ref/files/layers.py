@@ -111,7 +111,7 @@ def _layers_of_part(spec: oiio.ImageSpec, part: int, taken: set[str]) -> Iterato
         numbers, roles = zip(*entries, strict=True)
         chosen, is_light = choose(roles)
         is_light = is_light and not is_data(prefix or _part_name(spec))
-        name, *also = _names(spec, part, prefix, is_light, taken)
+        name, *also = _names(spec, part, prefix, is_light, len(members) == 1, taken)
         layer = Layer(
             name,
             part,
@@ -143,13 +143,13 @@ def _channel(layer, own, number, role, has_own_name):
     )
 
 
-def _names(spec, part, prefix, is_light, taken):
+def _names(spec, part, prefix, is_light, is_whole_part, taken):
     """The name of a layer, and others that it also answers to."""
     part_name, views = _part_name(spec), spec.getattribute("multiView") or [""]
     view = spec.getattribute("view") or views[0]
     own = prefix or part_name
     whole = f"{part_name}.{prefix}" if part_name and prefix else own
-    also = [own, whole]
+    also = [own, part_name, whole] if part_name and is_whole_part else [own, whole]
     if view and own:
         also += [f"{own}.{view}", f"{view}.{own}"]
     if view and is_light and not prefix:

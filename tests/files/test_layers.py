@@ -166,6 +166,18 @@ class TestNames:
         assert read_image(f"{file}:left.R")[0, 0] == [3]
         assert read_image(file)[0, 0] == [1]
 
+    def test_parts_that_are_called_like_views(self, tmp_path):
+        """Without a word in the header that they are views."""
+        parts = {"rgba.left": "R", "rgba.right": "R", "AO.left": "AO.R", "AO.right": "AO.R"}
+        file = write_named_parts(
+            tmp_path / "a.exr",
+            [({"name": name}, {channel: n}) for n, (name, channel) in enumerate(parts.items())],
+        )
+        for n, name in enumerate(parts):
+            assert read_image(f"{file}:{name}")[0, 0] == [n], name
+        assert read_image(f"{file}:AO")[0, 0] == [2]
+        assert read_image(f"{file}:AO.right.R")[0, 0] == [3]
+
 
 def test_only_data_without_a_name_is_not_the_image(tmp_path):
     file = write_exr(tmp_path / "a.exr", {"A": 1, "LDE.R": 0.1, "LSE.R": 0.2})
