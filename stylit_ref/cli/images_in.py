@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
-from stylit_ref.files.read_image import read_guides, read_uint8
+from stylit_ref.files.read_image import read_guides, read_mask, read_uint8
 from stylit_ref.stylization.checks import check_guides, check_mask
 
 
@@ -83,7 +83,7 @@ def read_images(options: argparse.Namespace) -> ImagesIn:
     sources, targets = zip(*pairs, strict=True)
     names = ([f"--guide {path}" for path in side] for side in zip(*options.guide, strict=True))
     check_guides(style, sources, targets, *names)
-    mask = read_uint8(options.mask).mean(axis=2) >= 128 if options.mask else None
+    mask = read_mask(options.mask) if options.mask else None
     fill = read_uint8(options.fill) if options.fill else None
     if mask is not None:
         size, channels = targets[0].shape[:2], style.shape[2]

@@ -58,7 +58,7 @@ def write_image(path: str | Path, image: NDArray[np.uint8 | np.uint16 | np.float
     stored = str(image.dtype).replace("float32", "float")
     if path.suffix.lower() in FLOAT_FORMATS and image.dtype != np.float32:
         stored = "half" if image.dtype == np.uint8 else "float"
-        image = to_linear(image)
+        image = to_linear(image, alpha_channel)
     elif path.suffix.lower() not in FLOAT_FORMATS and image.dtype == np.float32:
         stored = "uint8"
         image = to_uint8(image, alpha_channel)
@@ -121,5 +121,6 @@ def _reads_back(file, shape):
     if source is None:
         oiio.geterror()
         return False
-    pixels = read_pixels(source, 0, str(source.spec().format))
+    spec = source.spec()
+    pixels = read_pixels(source, 0, range(spec.nchannels), str(spec.format))
     return pixels is not None and pixels.shape[:2] == shape[:2]
