@@ -169,5 +169,6 @@ def _displayed(path):
                 f"{path}: {clipped:.0%} of the values lie outside [0, 1] and are clipped",
                 level=logging.WARNING,
             )
-    rows = [to_uint8(row, alpha_channel) for row in image]  # a conversion takes much memory
+    # Row by row, since a conversion takes much memory.
+    rows = [to_uint8(row, alpha_channel, curve="srgb") for row in image]
     return np.stack(rows), alpha_channel

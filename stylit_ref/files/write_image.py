@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from stylit_ref.arrays import as_array
 from stylit_ref.errors import InputError
-from stylit_ref.files.bit_depth import to_linear, to_uint8
+from stylit_ref.files.bit_depth import Curve, to_linear, to_uint8
 from stylit_ref.files.image_file import read_pixels, reason_of
 from stylit_ref.files.output_file import (
     check_writable,
@@ -22,7 +22,12 @@ FLOAT_FORMATS = (".exr", ".hdr", ".pfm")
 """Suffixes of formats that store scene-linear floating point."""
 
 
-def write_image(path: str | Path, image: NDArray[np.uint8 | np.uint16 | np.float32]) -> None:
+def write_image(
+    path: str | Path,
+    image: NDArray[np.uint8 | np.uint16 | np.float32],
+    *,
+    curve: Curve | None = None,
+) -> None:
     """Write an image; a failure leaves no partial file.
 
     Integers become scene-linear light in a floating-point format. Floating point becomes 8-bit
@@ -35,6 +40,9 @@ def write_image(path: str | Path, image: NDArray[np.uint8 | np.uint16 | np.float
         The suffix names the format.
     image : (H, W) or (H, W, n) uint8, uint16 or float32
         With 2 or 4 channels the last is alpha, and the others are premultiplied by it.
+    curve : {"srgb", "none"}, optional
+        What floating point goes through on its way to an integer format, as for
+        :func:`stylit_ref.to_uint8`.
 
     Raises
     ------
@@ -61,7 +69,7 @@ def write_image(path: str | Path, image: NDArray[np.uint8 | np.uint16 | np.float
         image = to_linear(image)
     elif path.suffix.lower() not in FLOAT_FORMATS and image.dtype == np.float32:
         stored = "uint8"
-        image = to_uint8(image, alpha_channel)
+        image = to_uint8(image, alpha_channel, curve=curve)
 
     spec = oiio.ImageSpec(width, height, channels, stored)
     if alpha_channel is not None:
