@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
 from stylit_ref.files.read_image import read_guides, read_uint8
-from stylit_ref.stylization.checks import check_guides, check_mask
+from stylit_ref.stylization.checks import check_fill, check_guides, check_mask
 
 
 class ImagesIn(NamedTuple):
@@ -20,7 +20,7 @@ class ImagesIn(NamedTuple):
     source_guides, target_guides : tuple of (H, W, c) uint8
         Pairs with the same number of channels, of the style's size and of the target's.
     mask : (H_B, W_B) bool or None
-    fill : (H_B, W_B, n) uint8 or None
+    fill : (H_B, W_B, m) uint8 or None
     """
 
     style: NDArray[np.uint8]
@@ -83,12 +83,18 @@ def read_images(options: argparse.Namespace) -> ImagesIn:
     sources, targets = zip(*pairs, strict=True)
     names = ([f"--guide {path}" for path in side] for side in zip(*options.guide, strict=True))
     check_guides(style, sources, targets, *names)
-    mask = read_uint8(options.mask).mean(axis=2) >= 128 if options.mask else None
+    mask = read_mask(options.mask) if options.mask else None
     fill = read_uint8(options.fill) if options.fill else None
     if mask is not None:
-        size, channels = targets[0].shape[:2], style.shape[2]
-        check_mask(mask, fill, size, channels)
+        check_mask(mask, targets[0].shape[:2])
+    if fill is not None:
+        check_fill(fill, targets[0].shape[:2])
     return ImagesIn(style, sources, targets, mask, fill)
+
+
+def read_mask(path: str) -> NDArray[np.bool_]:
+    """Read a mask: (H, W) bool, True where the image is white."""
+    return read_uint8(path).mean(axis=2) >= 128
 
 
 class _Weigh(argparse.Action):

@@ -10,6 +10,7 @@ from stylit_ref.cli.images_in import ImagesIn, paths_in
 from stylit_ref.files.nnf_file import check_nnf_writable, write_nnf
 from stylit_ref.files.output_file import check_distinct, check_folder
 from stylit_ref.files.write_image import check_image_writable, write_image
+from stylit_ref.stylization.mask import filled_channels
 from stylit_ref.stylization.params import Params
 from stylit_ref.stylization.stylize import Result
 
@@ -52,8 +53,9 @@ def check_outputs(options: argparse.Namespace, params: Params, images: ImagesIn)
     InputError
     """
     channels = images.style.shape[2]
-    adds_alpha = images.mask is not None and images.fill is None and channels in (1, 3)
-    check_image_writable(options.output, channels + adds_alpha)
+    if images.mask is not None:
+        channels = filled_channels(channels, None if images.fill is None else images.fill.shape[2])
+    check_image_writable(options.output, channels)
     if options.nnf:
         check_nnf_writable(options.nnf)
     if options.save_levels:
