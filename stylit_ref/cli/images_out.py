@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stylit_ref.cli.images_in import ImagesIn, paths_in
+from stylit_ref.files.field import Field
 from stylit_ref.files.nnf_file import check_nnf_writable, write_nnf
 from stylit_ref.files.output_file import check_distinct, check_folder
 from stylit_ref.files.write_image import check_image_writable, write_image
@@ -72,15 +73,28 @@ def save_level(options: argparse.Namespace, level: int, image: NDArray[np.uint8]
         write_image(Path(options.save_levels) / _LEVEL.format(level), image)
 
 
-def write_result(options: argparse.Namespace, result: Result) -> None:
-    """Write all that is left to write once a run is done."""
+def write_result(
+    options: argparse.Namespace, params: Params, images: ImagesIn, result: Result
+) -> None:
+    """Write all that is left to write once a run is done.
+
+    Parameters
+    ----------
+    options, params, images
+        As for :func:`check_outputs`.
+    result : Result
+    """
     write_image(options.output, result.image)
     if options.save_levels:
         for level, white in enumerate(result.guide_maps, 1):
             image = white[:, :, None].astype(np.uint8) * 255
             write_image(Path(options.save_levels) / _GUIDE_MAP.format(level), image)
     if options.nnf:
-        write_nnf(options.nnf, result.nnf)
+        height, width = images.style.shape[:2]
+        field = Field(
+            result.nnf, params.patch_width, params.vote_outliers, (height, width), images.mask
+        )
+        write_nnf(options.nnf, field)
 
 
 def _level_files(options, params):

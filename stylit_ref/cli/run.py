@@ -105,7 +105,7 @@ def run(options: argparse.Namespace) -> None:
             profile=profile,
         )
     with profile.stage("writing images"):
-        write_result(options, result)
+        write_result(options, params, images, result)
     if options.profile:
         print(*profile.table(), sep="\n", file=sys.stderr)
     if not options.quiet:
