@@ -37,3 +37,21 @@ def write_parts(path, parts):
         output.write_image(np.full((6, 8, 3), value, np.float32))
     output.close()
     return path
+
+
+def write_deep(path):
+    """A deep EXR: one opaque sample a pixel, at depth 1."""
+    spec = oiio.ImageSpec(8, 6, 5, "float")
+    spec.channelnames = ("R", "G", "B", "A", "Z")
+    spec.deep = True
+    samples = oiio.DeepData()
+    samples.init(48, 5, ["float"] * 5, list(spec.channelnames))
+    for pixel in range(48):
+        samples.set_samples(pixel, 1)
+        for channel, value in enumerate((0.25, 0.5, 0.75, 1, 1)):
+            samples.set_deep_value(pixel, channel, 0, value)
+    output = oiio.ImageOutput.create(str(path))
+    assert output.open(str(path), spec), output.geterror()
+    assert output.write_deep_image(samples), output.geterror()
+    output.close()
+    return path

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
-from stylit_ref.files.read_image import read_guides, read_uint8
+from stylit_ref.files.read_image import read_guides, read_mask, read_uint8
 from stylit_ref.stylization.checks import check_fill, check_guides, check_mask
 
 
@@ -90,11 +90,6 @@ def read_images(options: argparse.Namespace) -> ImagesIn:
     if fill is not None:
         check_fill(fill, targets[0].shape[:2])
     return ImagesIn(style, sources, targets, mask, fill)
-
-
-def read_mask(path: str) -> NDArray[np.bool_]:
-    """Read a mask: (H, W) bool, True where the image is white."""
-    return read_uint8(path).mean(axis=2) >= 128
 
 
 class _Weigh(argparse.Action):

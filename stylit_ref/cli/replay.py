@@ -4,12 +4,11 @@ import argparse
 from time import perf_counter
 
 from stylit_ref.cli.finished import tell_finished
-from stylit_ref.cli.images_in import read_mask
 from stylit_ref.cli.parser import Parser
 from stylit_ref.files.bit_depth import to_depth
 from stylit_ref.files.nnf_file import read_nnf
 from stylit_ref.files.output_file import check_distinct
-from stylit_ref.files.read_image import read_image
+from stylit_ref.files.read_image import read_image, read_mask
 from stylit_ref.files.write_image import check_image_writable, write_image
 from stylit_ref.stylization.replaying import replay
 

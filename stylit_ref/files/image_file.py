@@ -16,12 +16,14 @@ Larger images are refused before memory is allocated: a file of a few bytes can 
 """
 
 
-def open_image(file: str | Path) -> oiio.ImageInput:
+def open_image(file: str | Path, *, straight: bool = False) -> oiio.ImageInput:
     """Open an image file.
 
     Parameters
     ----------
     file : str or Path
+    straight : bool
+        Whether to leave colours as the file has them where it has not multiplied them by alpha.
 
     Returns
     -------
@@ -32,7 +34,9 @@ def open_image(file: str | Path) -> oiio.ImageInput:
     InputError
         If its format is not known, or its header is broken.
     """
-    image = oiio.ImageInput.open(str(file))
+    wishes = oiio.ImageSpec()
+    wishes.attribute("oiio:UnassociatedAlpha", int(straight))
+    image = oiio.ImageInput.open(str(file), wishes)
     if image is None:
         raise InputError(f"{file}: cannot be read: {reason_of(oiio.geterror())}")
     return image

@@ -1,8 +1,9 @@
 """Read images with OpenImageIO: PNG, TIFF, JPEG, (multilayer) EXR, ...
 
 Files are read at their own depth or converted to 8 bits (:mod:`stylit_ref.files.bit_depth`).
-An alpha channel that is opaque everywhere is dropped. Otherwise OpenImageIO premultiplies the
-colours by it, so that averages of transparent pixels come out right.
+An alpha channel that is opaque everywhere is dropped, and so is one that is 0 everywhere, which
+renderers and game tools leave empty. Otherwise OpenImageIO premultiplies the colours by it, so that
+averages of transparent pixels come out right.
 """
 
 import logging
@@ -42,7 +43,7 @@ def read_image(path: str | Path) -> NDArray[np.uint8 | np.uint16 | np.float32]:
         If the file or layer is missing, cannot be read, declares more than
         :data:`~stylit_ref.files.image_file.LARGEST_IMAGE` values, or holds NaN or infinity.
     """
-    return _drop_opaque(*_read(path))[0]
+    return _read(path)[0]
 
 
 def read_uint8(path: str | Path) -> NDArray[np.uint8]:
@@ -86,21 +87,52 @@ def read_guides(
     return tuple(guides)
 
 
+def read_mask(path: str | Path) -> NDArray[np.bool_]:
+    """Read an image as a mask: what is white in it.
+
+    Its values are data and go through no curve; the mean of its colours counts. Alpha is no colour:
+    what is transparent shows as black.
+
+    Parameters and errors are those of :func:`read_image`.
+
+    Returns
+    -------
+    (H, W) bool
+        Where the image is at least half as bright as it can be.
+    """
+    image, alpha_channel = _read(path)
+    half = 0.5 if image.dtype == np.float32 else (np.iinfo(image.dtype).max + 1) // 2
+    return _without_alpha(image, alpha_channel).mean(axis=2) >= half
+
+
 def _read(path):
     """Pixels of a file or layer, and the index of their alpha channel or None."""
     try:
-        return _read_pixels(path)
+        image, alpha_channel = _read_pixels(path)
+        if alpha_channel is None:
+            return image, None
+        alpha = image[:, :, alpha_channel]
+        if (alpha <= 0).all():
+            note(f"{path}: is transparent everywhere; its alpha is left out", level=logging.WARNING)
+            image, _ = _read_pixels(path, straight=True)
+        elif (alpha < (1 if alpha.dtype == np.float32 else np.iinfo(alpha.dtype).max)).any():
+            return image, alpha_channel
+        return _without_alpha(image, alpha_channel), None
     except UnicodeDecodeError:  # in a channel's name, or in a message that quotes it
         raise InputError(f"{path}: cannot be read: a name in its header is not UTF-8") from None
 
 
-def _read_pixels(path):
-    """As :func:`_read`, if every name in the header is valid text."""
+def _read_pixels(path, straight=False):
+    """As :func:`_read`, with alpha whatever it is."""
     file, layer = split_layer(path)
     part, channels = find_layer(file, layer)
-    source = open_image(file)
+    source = open_image(file, straight=straight)
     source.seek_subimage(part, 0)
     spec = source.spec()
+    if spec.deep:  # OpenImageIO would return pixels that it did not fill
+        raise InputError(
+            f"{path}: holds deep pixels; flatten it first: oiiotool {file} --flatten -o flat.exr"
+        )
     stored = {str(spec.channelformat(channel)) for channel in channels}
     if not stored <= _DEPTHS.keys():
         raise InputError(
@@ -146,14 +178,10 @@ def _upright(pixels, orientation):
     return pixels[::down, ::right]
 
 
-def _drop_opaque(image, alpha_channel):
-    """Drop an alpha channel that is opaque everywhere."""
-    if alpha_channel is not None:
-        alpha = image[:, :, alpha_channel]
-        opaque = 1 if alpha.dtype == np.float32 else np.iinfo(alpha.dtype).max
-        if (alpha >= opaque).all():
-            return np.ascontiguousarray(np.delete(image, alpha_channel, axis=2)), None
-    return image, alpha_channel
+def _without_alpha(image, alpha_channel):
+    if alpha_channel is None:
+        return image
+    return np.ascontiguousarray(np.delete(image, alpha_channel, axis=2))
 
 
 def _displayed(path):
@@ -161,9 +189,10 @@ def _displayed(path):
 
     Warns if the conversion clips more than a few highlights.
     """
-    image, alpha_channel = _drop_opaque(*_read(path))
+    image, alpha_channel = _read(path)
     if image.dtype == np.float32:
-        clipped = np.mean((image < -0.01) | (image > 1))
+        colours = _without_alpha(image, alpha_channel)
+        clipped = np.mean((colours < -0.01) | (colours > 1))
         if clipped > 0.05:
             note(
                 f"{path}: {clipped:.0%} of the values lie outside [0, 1] and are clipped",

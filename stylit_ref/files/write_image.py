@@ -66,7 +66,7 @@ def write_image(
     stored = str(image.dtype).replace("float32", "float")
     if path.suffix.lower() in FLOAT_FORMATS and image.dtype != np.float32:
         stored = "half" if image.dtype == np.uint8 else "float"
-        image = to_linear(image)
+        image = to_linear(image, alpha_channel)
     elif path.suffix.lower() not in FLOAT_FORMATS and image.dtype == np.float32:
         stored = "uint8"
         image = to_uint8(image, alpha_channel, curve=curve)

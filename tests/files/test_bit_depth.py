@@ -59,6 +59,49 @@ def test_depths_of_one_image_agree(channels):
             np.testing.assert_allclose(converted, expected, rtol=1e-5, atol=1e-6)
 
 
+def test_data_has_no_curve():
+    values = np.array([-1, 0, 0.25, 0.5, 1, 7], np.float32)
+    np.testing.assert_array_equal(to_uint8(values, curve="none"), [0, 0, 64, 128, 255, 255])
+
+
+def by_hand(linear, alpha):
+    """The displayed value of one colour, in the words of the standard."""
+    straight = linear / alpha
+    if straight <= 0.0031308:
+        return 12.92 * straight * alpha
+    return (1.055 * straight ** (1 / 2.4) - 0.055) * alpha
+
+
+@pytest.mark.parametrize("alpha_channel", [0, 1, 3])
+def test_the_curve_goes_over_colours_divided_by_alpha(alpha_channel):
+    rng = np.random.default_rng(0)
+    alpha = rng.uniform(0.02, 1, (20, 30))
+    colours = rng.random((20, 30, 3)) * alpha[..., None]
+    image = np.insert(colours, alpha_channel, alpha, axis=2).astype(np.float32)
+    shown = to_uint8(image, alpha_channel)
+    expected = [
+        [by_hand(c, alpha[y, x]) for c in colours[y, x]] for y in range(20) for x in range(30)
+    ]
+    expected = np.insert(np.reshape(expected, (20, 30, 3)), alpha_channel, alpha, axis=2) * 255
+    np.testing.assert_allclose(shown, expected, atol=0.501)
+
+
+@pytest.mark.parametrize("alpha", [0, 1, 77, 128, 254, 255])
+def test_transparent_colours_come_back(alpha):
+    """At alpha 0 they are light without a surface, which EXR files can hold."""
+    colours = np.arange(256) if alpha in (0, 255) else np.arange(alpha + 1)
+    image = np.stack([colours, np.full_like(colours, alpha)], axis=1).astype(np.uint8)
+    np.testing.assert_array_equal(to_uint8(to_linear(image, 1), 1), image)
+
+
+def test_alpha_is_no_light():
+    alpha = np.arange(256, dtype=np.uint8)
+    image = np.stack([np.zeros(256, np.uint8), alpha], axis=1)
+    linear = to_linear(image, 1)
+    np.testing.assert_allclose(linear[:, 1], alpha / 255, rtol=1e-6)
+    np.testing.assert_array_equal(to_uint8(linear, 1)[:, 1], alpha)
+
+
 def test_another_depth_is_refused_by_name():
     with pytest.raises(InputError, match="image has dtype int64; it must be") as refusal:
         to_uint8(np.zeros((2, 2), np.int64))

@@ -1,6 +1,7 @@
 """Images in, from files that OpenImageIO itself wrote."""
 
 import logging
+import struct
 
 import numpy as np
 import OpenImageIO as oiio
@@ -8,12 +9,97 @@ import pytest
 from exr_files import write_exr
 
 from stylit_ref import InputError, read_image, read_uint8, write_image
-from stylit_ref.files.read_image import read_guides
+from stylit_ref.files.read_image import read_guides, read_mask
 
 
-def test_alpha_stays_linear(tmp_path):
+def test_half_transparent_white_stays_white(tmp_path):
     write_exr(tmp_path / "a.exr", {"R": 0.5, "G": 0.5, "B": 0.5, "A": 0.5})
-    np.testing.assert_array_equal(read_uint8(tmp_path / "a.exr")[0, 0], [188, 188, 188, 128])
+    np.testing.assert_array_equal(read_uint8(tmp_path / "a.exr")[0, 0], [128, 128, 128, 128])
+
+
+def test_soft_edges_are_the_same_in_png_and_exr(tmp_path):
+    """Straight colours 200, 100, 50 with alpha 128, as each of the two stores them."""
+    png = np.broadcast_to(np.uint8([100, 50, 25, 128]), (6, 8, 4))
+    write_image(tmp_path / "a.png", png)
+    write_exr(tmp_path / "a.exr", {"R": 0.2899, "G": 0.0640, "B": 0.0160, "A": 0.502})
+    np.testing.assert_array_equal(read_uint8(tmp_path / "a.png"), png)
+    np.testing.assert_array_equal(read_uint8(tmp_path / "a.exr"), png)
+    write_image(tmp_path / "b.exr", png)
+    assert read_image(tmp_path / "b.exr")[0, 0] == pytest.approx(
+        [0.2899, 0.064, 0.016, 0.502], 0.01
+    )
+
+
+class TestAlphaThatIsZeroEverywhere:
+    """It is left out, and the colours are those beside it in the file."""
+
+    def check(self, path, colours, caplog):
+        image = read_image(path)
+        assert image.shape == (6, 8, 3)
+        np.testing.assert_array_equal(image, np.broadcast_to(colours, image.shape))
+        said = f"{path}: is transparent everywhere; its alpha is left out"
+        assert caplog.record_tuples == [("stylit_ref", logging.WARNING, said)]
+
+    @pytest.mark.parametrize("suffix", ["png", "tif", "tga"])
+    def test_straight_colours(self, tmp_path, caplog, suffix):
+        spec = oiio.ImageSpec(8, 6, 4, "uint8")
+        spec.attribute("oiio:UnassociatedAlpha", 1)
+        output = oiio.ImageOutput.create(str(tmp_path / f"a.{suffix}"))
+        assert output.open(str(tmp_path / f"a.{suffix}"), spec)
+        assert output.write_image(np.broadcast_to(np.uint8([200, 100, 50, 0]), (6, 8, 4)).copy())
+        output.close()
+        self.check(tmp_path / f"a.{suffix}", (200, 100, 50), caplog)
+
+    def test_premultiplied_colours(self, tmp_path, caplog):
+        file = write_exr(tmp_path / "a.exr", {"R": 0.5, "G": 0.25, "B": 0.125, "A": 0})
+        self.check(file, (0.5, 0.25, 0.125), caplog)
+
+    @pytest.mark.parametrize(
+        ("name", "layout", "header"),
+        [
+            ("a.bmp", "<2s4I2i2H2I2i2I", (b"BM", 246, 0, 54, 40, 8, 6, 1, 32, *[0] * 6)),
+            ("a.tga", "<3B2HB4H2B", (0, 0, 2, 0, 0, 0, 0, 0, 8, 6, 32, 0)),
+        ],
+    )
+    def test_a_fourth_byte_that_is_no_alpha(self, tmp_path, caplog, name, layout, header):
+        (tmp_path / name).write_bytes(struct.pack(layout, *header) + bytes([50, 100, 200, 0]) * 48)
+        self.check(tmp_path / name, (200, 100, 50), caplog)
+
+
+class TestMask:
+    @pytest.mark.parametrize(
+        ("image", "white"),
+        [
+            (np.uint8([127]), False),
+            (np.uint8([128]), True),
+            (np.uint8([127, 128, 128]), False),
+            (np.uint8([90, 90, 90, 200]), False),
+            (np.uint8([128, 128, 128, 200]), True),
+            (np.uint8([1, 254]), False),
+            (np.uint8([200, 201]), True),
+            (np.uint16([32767]), False),
+            (np.uint16([32768]), True),
+            (np.uint16([100, 60000]), False),
+        ],
+    )
+    def test_half_the_range_is_white_and_alpha_is_no_colour(self, tmp_path, image, white):
+        pixels = np.broadcast_to(image, (6, 8, image.size)).copy()
+        if image.size in (2, 4):  # an alpha that is opaque everywhere would be dropped
+            pixels[0, 0] = np.iinfo(image.dtype).max
+        write_image(tmp_path / "a.png", pixels)
+        mask = read_mask(tmp_path / "a.png")
+        assert mask.dtype == bool
+        assert mask.shape == (6, 8)
+        assert (mask[1:] == white).all()
+
+    @pytest.mark.parametrize(("value", "white"), [(0.4998, False), (0.5, True), (7, True)])
+    def test_floating_point_has_no_curve(self, tmp_path, value, white):
+        file = write_exr(tmp_path / "a.exr", {"Y": value})
+        assert (read_mask(file) == white).all()
+
+    def test_what_is_transparent_shows_as_black(self, tmp_path):
+        file = write_exr(tmp_path / "a.exr", {"R": 0.25, "G": 0.25, "B": 0.25, "A": 0.25})
+        assert not read_mask(file).any()
 
 
 def test_opaque_alpha_is_dropped(tmp_path, image):
@@ -66,6 +152,12 @@ def test_integer_layers_are_refused(tmp_path):
     output.close()
     with pytest.raises(InputError, match="holds uint"):
         read_image(tmp_path / "a.exr")
+
+
+def test_alpha_is_not_clipped(tmp_path, caplog):
+    write_exr(tmp_path / "a.exr", {"R": 0.5, "A": np.linspace(0, 9, 8)})
+    read_uint8(tmp_path / "a.exr")
+    assert not caplog.records
 
 
 def test_clipping_is_said(tmp_path, caplog):
