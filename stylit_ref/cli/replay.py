@@ -3,9 +3,11 @@
 import argparse
 from time import perf_counter
 
+from stylit_ref.cli.deep_images import holds_bits_of
 from stylit_ref.cli.finished import tell_finished
 from stylit_ref.cli.parser import Parser
 from stylit_ref.files.bit_depth import to_depth
+from stylit_ref.files.colour_profile import note_another_profile, read_colour_profile
 from stylit_ref.files.nnf_file import read_nnf
 from stylit_ref.files.output_file import check_distinct
 from stylit_ref.files.read_image import read_image, read_mask
@@ -59,10 +61,14 @@ def run(options: argparse.Namespace) -> None:
     mask = read_mask(options.mask) if options.mask else None
     fill = to_depth(read_image(options.fill), style.dtype) if options.fill else None
     check_distinct([options.output], [options.style, options.nnf, options.mask, options.fill])
+    profile = read_colour_profile(options.style)
+    if options.fill:
+        note_another_profile(options.fill, profile)
     image = replay(
         field, style, patch_width=options.patch_width, scale=options.scale, mask=mask, fill=fill
     )
     check_image_writable(options.output, image.shape[2])
-    write_image(options.output, image, curve="srgb")
+    holds_bits_of(style, options.output, image.shape[2])
+    write_image(options.output, image, curve="srgb", profile=profile)
     if not options.quiet:
         tell_finished(options.output, image, perf_counter() - start)
