@@ -17,7 +17,7 @@ from stylit_ref.files.colour_profile import (
     note_what_is_lost,
     read_colour_profile,
 )
-from stylit_ref.files.image_file import open_image, read_pixels, reason_of
+from stylit_ref.files.image_file import read_pixels, reason_of
 from stylit_ref.files.output_file import (
     check_writable,
     folder_for_a_check,
@@ -143,7 +143,10 @@ def check_image_writable(path: str | Path, channels: int, depth: str = "uint8") 
             raise InputError(f"{path}: cannot be written: {reason_of(output.geterror())}")
         output.write_image(pixels)
         output.close()
-        return str(open_image(probe).spec().format)
+        written = oiio.ImageInput.open(str(probe))
+        if written is None:  # on a full disk, which some writers do not notice
+            raise InputError(f"{path}: cannot be written: {reason_of(oiio.geterror())}")
+        return str(written.spec().format)
 
 
 def _as_stored(image, path, curve):
