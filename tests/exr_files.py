@@ -1,17 +1,26 @@
 """EXR files as renderers write them: layers, parts, data windows."""
 
+from types import MappingProxyType
+
 import numpy as np
 import OpenImageIO as oiio
 
 
-def write_exr(path, channels, size=(6, 8), data_window=None):
-    """A half-float EXR of constant channels: a dict of name to value or array."""
+def write_exr(
+    path, channels, size=(6, 8), data_window=None, depth="half", attributes=MappingProxyType({})
+):
+    """An EXR of constant channels: a dict of name to value or array.
+
+    An attribute is a value, or a tuple of type and value.
+    """
     names = tuple(channels)
-    spec = oiio.ImageSpec(size[1], size[0], len(names), "half")
+    spec = oiio.ImageSpec(size[1], size[0], len(names), depth)
     spec.channelnames = names
     if data_window:
         spec.x, spec.y, spec.full_width, spec.full_height = data_window
         spec.full_x = spec.full_y = 0
+    for name, value in attributes.items():
+        spec.attribute(name, *(value if isinstance(value, tuple) else (value,)))
     pixels = np.zeros((*size, len(names)), np.float32)
     for c, value in enumerate(channels.values()):
         pixels[:, :, c] = value
@@ -23,18 +32,28 @@ def write_exr(path, channels, size=(6, 8), data_window=None):
 
 
 def write_parts(path, parts):
-    """A multi-part EXR: a dict of part name to RGB value."""
+    """A multi-part EXR: a dict of part name to the value of R, G and B."""
+    return write_named_parts(
+        path, [({"name": name}, dict.fromkeys("RGB", value)) for name, value in parts.items()]
+    )
+
+
+def write_named_parts(path, parts):
+    """A multi-part EXR: pairs of attributes and of a dict of channel name to value."""
     specs = []
-    for name in parts:
-        spec = oiio.ImageSpec(8, 6, 3, "half")
-        spec.attribute("name", name)
+    for attributes, channels in parts:
+        spec = oiio.ImageSpec(8, 6, len(channels), "half")
+        spec.channelnames = tuple(channels)
+        for name, value in attributes.items():
+            spec.attribute(name, value)
         specs.append(spec)
     output = oiio.ImageOutput.create(str(path))
     assert output.open(str(path), tuple(specs)), output.geterror()
-    for number, value in enumerate(parts.values()):
+    for number, (_, channels) in enumerate(parts):
         if number:
             output.open(str(path), specs[number], "AppendSubimage")
-        output.write_image(np.full((6, 8, 3), value, np.float32))
+        values = np.float32(list(channels.values()))
+        output.write_image(np.broadcast_to(values, (6, 8, len(channels))).copy())
     output.close()
     return path
 

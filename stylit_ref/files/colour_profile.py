@@ -15,7 +15,7 @@ import numpy as np
 import OpenImageIO as oiio
 
 from stylit_ref.files.image_file import open_image
-from stylit_ref.files.layers import split_layer
+from stylit_ref.files.layer_names import split_layer
 from stylit_ref.files.png_chunks import read_chunks, replace_chunks
 from stylit_ref.notes import note
 

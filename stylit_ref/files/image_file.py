@@ -1,5 +1,6 @@
 """Open an image file and read its pixels."""
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -9,7 +10,7 @@ from numpy.typing import NDArray
 from stylit_ref.errors import InputError
 
 LARGEST_IMAGE = 1 << 29
-"""Most values (pixels times channels) that a file may declare: 16384x8192 with 4 channels.
+"""Most values (pixels times channels) that are read of a file: 16384x8192 with 4 channels.
 
 As floating point they take 2 GiB, and reading takes two to three times the memory of the image.
 Larger images are refused before memory is allocated: a file of a few bytes can declare any size.
@@ -38,12 +39,25 @@ def open_image(file: str | Path, *, straight: bool = False) -> oiio.ImageInput:
     wishes.attribute("oiio:UnassociatedAlpha", int(straight))
     image = oiio.ImageInput.open(str(file), wishes)
     if image is None:
-        raise InputError(f"{file}: cannot be read: {reason_of(oiio.geterror())}")
+        said = oiio.geterror()
+        if "Subsampled channels" in said:
+            raise InputError(
+                f"{file}: stores luminance, and colour at a lower resolution; open it in an image "
+                "editor and save it with R, G and B channels"
+            )
+        raise InputError(f"{file}: cannot be read: {reason_of(said)}")
     return image
 
 
-def check_size(file: str | Path, spec: oiio.ImageSpec) -> None:
+def check_size(file: str | Path, spec: oiio.ImageSpec, channels: int) -> None:
     """Refuse an image whose header declares too large a data window or display window.
+
+    Parameters
+    ----------
+    file : str or Path
+    spec : OpenImageIO.ImageSpec
+    channels : int
+        How many channels are to be read.
 
     Raises
     ------
@@ -51,17 +65,17 @@ def check_size(file: str | Path, spec: oiio.ImageSpec) -> None:
         If either has more than :data:`LARGEST_IMAGE` values.
     """
     for width, height in ((spec.width, spec.height), (spec.full_width, spec.full_height)):
-        if width * height * spec.nchannels > LARGEST_IMAGE:
+        if width * height * channels > LARGEST_IMAGE:
             raise InputError(
-                f"{file}: declares {width}x{height} pixels with {spec.nchannels} channels; at most "
+                f"{file}: declares {width}x{height} pixels with {channels} channels; at most "
                 f"{LARGEST_IMAGE} values (width x height x channels) can be read; make it smaller"
             )
 
 
 def read_pixels(
-    image: oiio.ImageInput, part: int, depth: str
+    image: oiio.ImageInput, part: int, numbers: Sequence[int], depth: str
 ) -> NDArray[np.uint8 | np.uint16 | np.float32] | None:
-    """Read all pixels of one part of an open file.
+    """Read channels of one part of an open file.
 
     For a truncated JPEG, OpenImageIO invents the missing pixels; only its error tells.
 
@@ -69,6 +83,8 @@ def read_pixels(
     ----------
     image : OpenImageIO.ImageInput
     part : int
+    numbers : sequence of int
+        Numbers of the channels, in the order wanted. No other channel takes memory.
     depth : {"uint8", "uint16", "float", ...}
         The type that values are converted to.
 
@@ -77,8 +93,16 @@ def read_pixels(
     (H, W, n) array of that dtype or None
         The data window, or None if it cannot be read; ``image.geterror()`` then says why.
     """
-    pixels = image.read_image(part, 0, 0, image.spec().nchannels, depth)
-    return None if image.has_error else pixels
+    ordered = sorted(numbers)
+    begins = [number for number in ordered if number - 1 not in numbers]
+    ends = [number + 1 for number in ordered if number + 1 not in numbers]
+    read = [image.read_image(part, 0, *run, depth) for run in zip(begins, ends, strict=True)]
+    if image.has_error:
+        return None
+    pixels = read[0] if len(read) == 1 else np.concatenate(read, axis=2)
+    if ordered == list(numbers):
+        return pixels
+    return np.take(pixels, [ordered.index(number) for number in numbers], axis=2)
 
 
 def reason_of(said: str) -> str:

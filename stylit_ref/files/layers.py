@@ -1,113 +1,169 @@
-"""Layers of a multilayer EXR.
+"""Layers of an image file: of an EXR those that its channels' names or its parts' names tell."""
 
-``file:LAYER`` names a layer: a prefix of channel names (``LDE.R``), or a named part of the file.
-"""
-
+from collections import defaultdict
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
+import OpenImageIO as oiio
+
 from stylit_ref.errors import InputError
+from stylit_ref.files.channels import choose, is_data, split_names
 from stylit_ref.files.image_file import check_size, open_image
-from stylit_ref.files.output_file import real_path
-
-_CHANNEL_ORDER = "RGBXYZUVA"
 
 
-def split_layer(path: str | Path) -> tuple[Path, str | None]:
-    """Split ``file:LAYER`` into file and layer, unless a file has that whole name.
+@dataclass(frozen=True)
+class Layer:
+    """Channels that belong together.
 
-    Parameters
+    Attributes
     ----------
-    path : str or Path
-
-    Returns
-    -------
-    file : Path
-    layer : str or None
-
-    Raises
-    ------
-    InputError
-        If there is no such file.
-    """
-    real_path(path)
-    whole, (file, colon, layer) = Path(path), str(path).rpartition(":")
-    if not whole.is_file() and colon and (Path(file).is_file() or Path(file).suffix):
-        whole = Path(file)
-    else:
-        layer = None
-    if not whole.is_file():
-        reason = "is a folder; name an image file" if whole.is_dir() else "no such file"
-        raise InputError(f"{whole}: {reason}")
-    return whole, layer
-
-
-def find_layer(file: Path, layer: str | None) -> tuple[int, list[int]]:
-    """Find the channels of a layer, colours in their usual order.
-
-    If ``layer`` is None, these are the unnamed channels, or only the colours among them if there
-    are any.
-
-    Parameters
-    ----------
-    file : Path
-    layer : str or None
-
-    Returns
-    -------
+    name : str
+        What one writes after the colon; ``""`` where one writes nothing.
     part : int
-    channels : list of int
-        Numbers of the part's channels.
+        Number of the file's part that has them.
+    numbers : tuple of int
+        Numbers of the channels within their part, in the order in which they are read.
+    roles : tuple of str
+        What each of them is for, as of :func:`stylit_ref.files.channels.split_names`.
+    is_light : bool
+        Whether they are colours or luminance; otherwise they are data.
+    is_deep : bool
+        Whether a pixel has any number of values, at several depths.
+    also : tuple of str
+        Other names of the layer: of its part, and of its view.
+    channels : tuple of Layer
+        All channels that have its name before theirs, each as a layer of its own.
+    """
+
+    name: str
+    part: int
+    numbers: tuple[int, ...]
+    roles: tuple[str, ...]
+    is_light: bool
+    is_deep: bool
+    also: tuple[str, ...]
+    channels: tuple["Layer", ...] = ()
+
+    @property
+    def alpha_channel(self) -> int | None:
+        """Index of the alpha channel; what is alone is data."""
+        return len(self.roles) - 1 if len(self.roles) > 1 and self.roles[-1] == "A" else None
+
+
+@dataclass
+class Contents:
+    """What there is in an image file.
+
+    Attributes
+    ----------
+    layers : list of Layer
+    cryptomatte : dict of str to str
+        What the headers of all parts say about Cryptomatte.
+    has_frames : bool
+        Whether there are more images, without a name: frames or pages.
+    """
+
+    layers: list[Layer] = field(default_factory=list)
+    cryptomatte: dict[str, str] = field(default_factory=dict)
+    has_frames: bool = False
+
+
+def contents_of(file: str | Path) -> Contents:
+    """List what there is in an image file.
 
     Raises
     ------
     InputError
-        If the file has no such layer, cannot be read, or declares too large an image.
+        If it cannot be read.
     """
-    layers = _channels_by_layer(file)
-    named = sorted(name for name in layers if name)
-    channels = layers.get(layer or "", [])
-    if layer is None:
-        if not channels and len(named) == 1:
-            channels = layers[named[0]]
-        present = {channel for _, _, channel in channels}
-        luminance = {"Y"} if "X" not in present else set()
-        colours = present & {"R", "G", "B"} or present & luminance
-        if colours:
-            channels = [entry for entry in channels if entry[2] in colours | {"A"}]
-        elif len(named) > 1:
-            channels = []
-    if not channels:
-        known = ", ".join(named) or "none"
-        if layer is None:
-            raise InputError(f"{file}: all its layers have names; add one as {file}:LAYER: {known}")
-        raise InputError(f"{file}: has no layer '{layer}'; its layers are: {known}")
-    part = channels[0][0]
-    channels = sorted((_CHANNEL_ORDER.find(c), n) for p, n, c in channels if p == part)
-    return part, [number for _, number in channels]
+    try:
+        return _contents_of(file)
+    except UnicodeDecodeError:
+        raise InputError(f"{file}: cannot be read: a name in its header is not UTF-8") from None
 
 
-def split_channel(name: str) -> tuple[str, str]:
-    """Split ``LAYER.R`` into layer and channel; a channel without a layer has layer ``""``."""
-    layer, _, channel = name.rpartition(".")
-    return layer, channel.upper()
-
-
-def _channels_by_layer(file):
-    """Map each layer (``""`` if it has no name) to ``(part, number, channel)`` of its channels."""
+def _contents_of(file):
     image = open_image(file)
-    layers = {}
-    part = 0
+    contents, part = Contents(), 0
     while image.seek_subimage(part, 0):
         spec = image.spec()
-        check_size(file, spec)
-        part_name = spec.getattribute("name") or ""
-        for number, name in enumerate(spec.channelnames):
-            prefix, channel = split_channel(name)
-            keys = {prefix or part_name}
-            if part == 0 and not prefix:
-                keys.add("")
-            for key in keys:
-                layers.setdefault(key, []).append((part, number, channel))
+        if image.format_name() != "openexr":  # others are decoded whole
+            check_size(file, spec, spec.nchannels)
+        contents.cryptomatte |= _said_of_cryptomatte(spec)
+        has_name = part == 0 or any("." in name for name in spec.channelnames) or _part_name(spec)
+        if not has_name:
+            contents.has_frames = True
+            break
+        taken = {layer.name for layer in contents.layers}
+        contents.layers.extend(_layers_of_part(spec, part, taken))
         part += 1
     image.close()
-    return layers
+    return contents
+
+
+def _layers_of_part(spec: oiio.ImageSpec, part: int, taken: set[str]) -> Iterator[Layer]:
+    members = defaultdict(list)
+    for number, (prefix, role) in enumerate(split_names(spec.channelnames)):
+        is_alpha = not prefix and number == spec.alpha_channel
+        members[prefix].append((number, "A" if is_alpha else role))
+    for prefix, entries in members.items():
+        numbers, roles = zip(*entries, strict=True)
+        chosen, is_light = choose(roles)
+        is_light = is_light and not is_data(prefix or _part_name(spec))
+        name, *also = _names(spec, part, prefix, is_light, taken)
+        layer = Layer(
+            name,
+            part,
+            tuple(numbers[k] for k in chosen),
+            tuple(roles[k] for k in chosen),
+            is_light,
+            spec.deep,
+            tuple(also),
+        )
+        has_own_names = name in ("", prefix)
+        channels = [
+            _channel(layer, spec.channelnames[number], number, role, has_own_names)
+            for number, role in entries
+        ]
+        yield replace(layer, channels=tuple(channels))
+
+
+def _channel(layer, own, number, role, has_own_name):
+    """A channel as a layer of its own; its name in the file may be that of others too."""
+    last = own.rpartition(".")[2]
+    also = [f"{name}.{end}" for name in (layer.name, *layer.also) if name for end in (last, role)]
+    return replace(
+        layer,
+        name=own if has_own_name else f"{layer.name}.{last}",
+        numbers=(number,),
+        roles=(role,),
+        is_light=layer.is_light and role in ("R", "G", "B", "Y"),
+        also=tuple(also if layer.name else [*also, role]),
+    )
+
+
+def _names(spec, part, prefix, is_light, taken):
+    """The name of a layer, and others that it also answers to."""
+    part_name, views = _part_name(spec), spec.getattribute("multiView") or [""]
+    view = spec.getattribute("view") or views[0]
+    own = prefix or part_name
+    whole = f"{part_name}.{prefix}" if part_name and prefix else own
+    also = [own, whole]
+    if view and own:
+        also += [f"{own}.{view}", f"{view}.{own}"]
+    if view and is_light and not prefix:
+        also.append(view)
+    name = "" if part == 0 and not prefix else own
+    if name in taken:  # the same name in several parts
+        name = next((each for each in also if each not in taken), f"{own}.{part}")
+    return name, *dict.fromkeys(each for each in also if each != name)
+
+
+def _said_of_cryptomatte(spec):
+    names = [each.name for each in spec.extra_attribs if "cryptomatte/" in each.name]
+    return {name: str(spec.getattribute(name)) for name in names}
+
+
+def _part_name(spec):
+    return spec.getattribute("oiio:subimagename") or spec.getattribute("name") or ""

@@ -8,19 +8,33 @@ averages of transparent pixels come out right.
 
 import logging
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from stylit_ref.errors import InputError
 from stylit_ref.files.bit_depth import to_uint8
-from stylit_ref.files.image_file import open_image, read_pixels, reason_of
-from stylit_ref.files.layers import find_layer, split_channel, split_layer
+from stylit_ref.files.cryptomatte import cryptomattes_of, find_matte, read_matte
+from stylit_ref.files.layer_names import find_layer, split_layer
+from stylit_ref.files.layer_pixels import read_layer
+from stylit_ref.files.layers import contents_of
 from stylit_ref.notes import note
 
-_DEPTHS = {"uint8": "uint8", "uint16": "uint16"} | dict.fromkeys(
-    ("half", "float", "double"), "float"
-)
+
+class _Picture(NamedTuple):
+    """What was read of a file.
+
+    Attributes
+    ----------
+    pixels : (H, W, n) uint8, uint16 or float32
+    alpha_channel : int or None
+    is_light : bool
+        Whether floating point is scene-linear light; otherwise it is data.
+    """
+
+    pixels: NDArray[np.uint8 | np.uint16 | np.float32]
+    alpha_channel: int | None
+    is_light: bool
 
 
 def read_image(path: str | Path) -> NDArray[np.uint8 | np.uint16 | np.float32]:
@@ -29,8 +43,9 @@ def read_image(path: str | Path) -> NDArray[np.uint8 | np.uint16 | np.float32]:
     Parameters
     ----------
     path : str or Path
-        A file, or ``file:LAYER`` for a layer of a multilayer EXR: channels named
-        ``LAYER.R`` and so on, or a part of that name.
+        A file. ``file:LAYER`` names a layer of a multilayer EXR, or a part or a view; the end of
+        its name will do where it fits one alone. ``file:LAYER.A`` names a channel, and
+        ``file:CryptoObject/NAME`` the matte of an object.
 
     Returns
     -------
@@ -100,82 +115,39 @@ def read_mask(path: str | Path) -> NDArray[np.bool_]:
     (H, W) bool
         Where the image is at least half as bright as it can be.
     """
-    image, alpha_channel = _read(path)
+    image, alpha_channel, _ = _read(path)
     half = 0.5 if image.dtype == np.float32 else (np.iinfo(image.dtype).max + 1) // 2
     return _without_alpha(image, alpha_channel).mean(axis=2) >= half
 
 
 def _read(path):
-    """Pixels of a file or layer, and the index of their alpha channel or None."""
-    try:
-        image, alpha_channel = _read_pixels(path)
-        if alpha_channel is None:
-            return image, None
-        alpha = image[:, :, alpha_channel]
+    """Read a file, a layer, a channel or a matte, without an alpha that tells nothing."""
+    file, name = split_layer(path)
+    contents = contents_of(file)
+    matte = find_matte(file, name, cryptomattes_of(contents))
+    if matte:
+        return _Picture(read_matte(path, file, *matte), None, is_light=False)
+    layer = find_layer(file, name, contents)
+    pixels, alpha_channel = read_layer(path, file, layer), layer.alpha_channel
+    if alpha_channel is not None:
+        alpha = pixels[:, :, alpha_channel]
+        opaque = 1 if alpha.dtype == np.float32 else np.iinfo(alpha.dtype).max
         if (alpha <= 0).all():
             note(f"{path}: is transparent everywhere; its alpha is left out", level=logging.WARNING)
-            image, _ = _read_pixels(path, straight=True)
-        elif (alpha < (1 if alpha.dtype == np.float32 else np.iinfo(alpha.dtype).max)).any():
-            return image, alpha_channel
-        return _without_alpha(image, alpha_channel), None
-    except UnicodeDecodeError:  # in a channel's name, or in a message that quotes it
-        raise InputError(f"{path}: cannot be read: a name in its header is not UTF-8") from None
+            pixels = read_layer(path, file, layer, straight=True)
+        if (alpha <= 0).all() or (alpha >= opaque).all():
+            pixels, alpha_channel = _without_alpha(pixels, alpha_channel), None
+    if layer.roles[:3] == ("Y", "RY", "BY"):
+        pixels = _colours_of_luminance(pixels)
+    return _Picture(pixels, alpha_channel, layer.is_light)
 
 
-def _read_pixels(path, straight=False):
-    """As :func:`_read`, with alpha whatever it is."""
-    file, layer = split_layer(path)
-    part, channels = find_layer(file, layer)
-    source = open_image(file, straight=straight)
-    source.seek_subimage(part, 0)
-    spec = source.spec()
-    if spec.deep:  # OpenImageIO would return pixels that it did not fill
-        raise InputError(
-            f"{path}: holds deep pixels; flatten it first: oiiotool {file} --flatten -o flat.exr"
-        )
-    stored = {str(spec.channelformat(channel)) for channel in channels}
-    if not stored <= _DEPTHS.keys():
-        raise InputError(
-            f"{path}: holds {', '.join(sorted(stored))} values; save it with 8-bit or 16-bit "
-            "integers, or as floating point"
-        )
-    depth = _DEPTHS[str(spec.format)] if len(stored) == 1 else "float"
-    image = read_pixels(source, part, depth)
-    if image is None:
-        raise InputError(f"{file}: cannot be read: {reason_of(source.geterror())}")
-    if spec.roi != spec.roi_full:
-        image = _in_display_window(image, spec)
-    image = np.take(image, channels, axis=2)
-    image = np.ascontiguousarray(_upright(image, spec.get_int_attribute("Orientation")))
-    if depth == "float" and not np.isfinite(image).all():
-        broken = ~np.isfinite(image)
-        y, x, _ = np.argwhere(broken)[0]
-        raise InputError(
-            f"{path}: {np.count_nonzero(broken.any(axis=2))} pixels are NaN or infinite, "
-            f"the first at (y, x) = ({y}, {x}); all values must be finite"
-        )
-    names = [split_channel(spec.channelnames[c])[1] for c in channels]
-    alpha_channel = names.index("A") if "A" in names and len(names) > 1 else None
-    return image, alpha_channel
-
-
-def _in_display_window(pixels, spec):
-    """The pixels of the display window; those outside the data window are 0."""
-    shown = np.zeros((spec.full_height, spec.full_width, spec.nchannels), pixels.dtype)
-    y, x = spec.y - spec.full_y, spec.x - spec.full_x
-    window, pixels = shown[max(y, 0) :, max(x, 0) :], pixels[max(-y, 0) :, max(-x, 0) :]
-    height, width = map(min, window.shape[:2], pixels.shape[:2])
-    window[:height, :width] = pixels[:height, :width]
-    return shown
-
-
-def _upright(pixels, orientation):
-    """Turn pixels upright that are stored in one of the eight orientations of TIFF and Exif."""
-    if orientation in (5, 6, 7, 8):
-        pixels = pixels.swapaxes(0, 1)
-    down = -1 if orientation in (3, 4, 7, 8) else 1
-    right = -1 if orientation in (2, 3, 6, 7) else 1
-    return pixels[::down, ::right]
+def _colours_of_luminance(pixels):
+    """Colours of luminance Y and (R - Y) / Y, (B - Y) / Y, for the primaries of sRGB."""
+    luminance = pixels[:, :, 0]
+    red, blue = luminance * (pixels[:, :, 1] + 1), luminance * (pixels[:, :, 2] + 1)
+    green = (luminance - 0.2126 * red - 0.0722 * blue) / 0.7152
+    return np.dstack([red, green, blue, pixels[:, :, 3:]])
 
 
 def _without_alpha(image, alpha_channel):
@@ -189,7 +161,7 @@ def _displayed(path):
 
     Warns if the conversion clips more than a few highlights.
     """
-    image, alpha_channel = _read(path)
+    image, alpha_channel, is_light = _read(path)
     if image.dtype == np.float32:
         colours = _without_alpha(image, alpha_channel)
         clipped = np.mean((colours < -0.01) | (colours > 1))
@@ -198,6 +170,7 @@ def _displayed(path):
                 f"{path}: {clipped:.0%} of the values lie outside [0, 1] and are clipped",
                 level=logging.WARNING,
             )
+    curve = "srgb" if is_light else "none"
     # Row by row, since a conversion takes much memory.
-    rows = [to_uint8(row, alpha_channel, curve="srgb") for row in image]
+    rows = [to_uint8(row, alpha_channel, curve=curve) for row in image]
     return np.stack(rows), alpha_channel

@@ -189,5 +189,6 @@ def _reads_back(file, shape):
     if source is None:
         oiio.geterror()
         return False
-    pixels = read_pixels(source, 0, str(source.spec().format))
+    spec = source.spec()
+    pixels = read_pixels(source, 0, range(spec.nchannels), str(spec.format))
     return pixels is not None and pixels.shape[:2] == shape[:2]

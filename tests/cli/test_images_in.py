@@ -45,9 +45,9 @@ def test_exr_layers_as_guides(scene):
     for side, guides in (("source", sources), ("target", targets)):
         first, second = (to_linear(guide) for guide in guides)
         channels = {f"LDE.{name}": first[:, :, c] for c, name in enumerate("RGB")}
-        write_exr(folder / f"{side}.exr", channels | {"ID.Y": second[:, :, 0]}, second.shape[:2])
+        write_exr(folder / f"{side}.exr", channels | {"LSE.Y": second[:, :, 0]}, second.shape[:2])
     command = ["run", "--style", f"{folder}/style.png", "--output", f"{folder}/exr.png", *QUICK]
-    for layer in ("LDE", "ID"):
+    for layer in ("LDE", "LSE"):
         command += ["--guide", f"{folder}/source.exr:{layer}", f"{folder}/target.exr:{layer}"]
     assert main(command) == 0
     assert run(folder) == 0

@@ -1,0 +1,69 @@
+"""``stylit-ref layers``: what there is in an image file, and what each layer can serve as."""
+
+import argparse
+from collections.abc import Iterator
+from pathlib import Path
+
+from stylit_ref.cli.parser import Parser
+from stylit_ref.errors import one_line
+from stylit_ref.files.cryptomatte import cryptomattes_of
+from stylit_ref.files.layer_names import existing_file, whole_name
+from stylit_ref.files.layers import Contents, Layer, contents_of
+
+_DESCRIPTION = """\
+List the layers of an image file as the other commands call them, their channels, and what each can
+serve as. A picture goes through the sRGB curve where it is floating point, data does not. What has
+one channel can also be a mask. A Cryptomatte has a matte for each name. For instance:
+
+  stylit-ref layers scene.exr"""
+
+
+def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
+    """Add the command."""
+    parser = commands.add_parser(
+        "layers", help="list the layers of an image file", description=_DESCRIPTION
+    )
+    parser.set_defaults(command=run, parser=parser)
+    parser.add_argument("file", metavar="FILE", help="an image file, for instance scene.exr")
+
+
+def run(options: argparse.Namespace) -> None:
+    """Print a line for each layer."""
+    file = existing_file(options.file)
+    rows = list(_rows(file, contents_of(file)))
+    widths = [max(len(row[column]) for row in rows) for column in (0, 1)]
+    for name, channels, serves_as in rows:
+        print(f"{name:{widths[0]}}  {channels:{widths[1]}}  {serves_as}")
+
+
+def _rows(file: Path, contents: Contents) -> Iterator[tuple[str, str, str]]:
+    """What one writes for each layer, its channels, and what it can serve as."""
+    cryptomattes = cryptomattes_of(contents)
+    ranks = {layer for cryptomatte in cryptomattes for layer in cryptomatte.ranks}
+    for layer in contents.layers:
+        if layer in ranks:
+            continue
+        yield _row(file, layer)
+        if not layer.is_deep:
+            colours = set(layer.numbers[: layer.alpha_channel])
+            for channel in layer.channels:
+                if not colours.issuperset(channel.numbers):
+                    yield _row(file, channel)
+    for cryptomatte in cryptomattes:
+        name = _shown(file, f"{cryptomatte.name}/NAME")
+        yield name, "", one_line(f"mask, data: Cryptomatte; {cryptomatte.known_names}")
+
+
+def _row(file, layer):
+    return _shown(file, layer.name), " ".join(map(one_line, layer.roles)), _serves_as(layer)
+
+
+def _serves_as(layer: Layer) -> str:
+    if layer.is_deep:
+        return "nothing: its pixels are deep; oiiotool --flatten makes a picture of them"
+    kind = "picture" if layer.is_light else "data"
+    return f"mask, {kind}" if len(layer.roles) == 1 else kind
+
+
+def _shown(file, name):
+    return one_line(whole_name(file, name))

@@ -1,0 +1,185 @@
+"""Mattes of single objects, from layers that a renderer wrote as Cryptomatte.
+
+A pixel has pairs of an ID and a coverage, spread over the layers ``NAME00``, ``NAME01``, ... An ID
+is the hash of an object's name, whose bits are stored as those of a float.
+"""
+
+import json
+import logging
+import re
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stylit_ref.errors import InputError
+from stylit_ref.files.layer_names import fitting, whole_name
+from stylit_ref.files.layer_pixels import read_layer
+from stylit_ref.files.layers import Contents, Layer
+from stylit_ref.files.murmur_hash import murmur_hash
+from stylit_ref.notes import note
+
+_RANK = re.compile(r"\d\d(\.[^.]+)?$")
+"""What a layer's name, or a channel's, has more than its Cryptomatte's."""
+
+_SHOWN_NAMES = 30
+
+
+class Cryptomatte(NamedTuple):
+    """Layers that belong together, and what their IDs mean.
+
+    Attributes
+    ----------
+    name : str
+        For instance ``ViewLayer.CryptoObject``.
+    ranks : tuple of Layer
+        Layers of IDs and coverages; those that cover most come first.
+    manifest : dict of str to int or None
+        IDs of all names, None where the file does not list them.
+    also : tuple of str
+        It answers to no other name.
+    """
+
+    name: str
+    ranks: tuple[Layer, ...]
+    manifest: dict[str, int] | None
+    also: tuple[str, ...] = ()
+
+    @property
+    def known_names(self) -> str:
+        """The end of a sentence: which names there are."""
+        if not self.manifest:
+            return "the file does not list its names"
+        names = list(self.manifest)
+        more = f" and {len(names) - _SHOWN_NAMES} more" if len(names) > _SHOWN_NAMES else ""
+        return f"its names are: {', '.join(names[:_SHOWN_NAMES])}{more}"
+
+
+def cryptomattes_of(contents: Contents) -> list[Cryptomatte]:
+    """Those of a file, as its header tells, or the names of its layers."""
+    manifests = {}
+    for key, value in contents.cryptomatte.items():
+        if key.endswith("/name"):
+            text = contents.cryptomatte.get(f"{key.removesuffix('name')}manifest", "")
+            manifests[value] = _manifest(text)
+    ranks: dict[str, list[Layer]] = {}
+    for layer in contents.layers:
+        name, rank = layer.name[:-2], layer.name[-2:]
+        if rank.isdecimal() and (name in manifests or "crypto" in name.casefold()):
+            ranks.setdefault(name, []).append(layer)
+    return [
+        Cryptomatte(name, tuple(sorted(layers, key=lambda layer: layer.name)), manifests.get(name))
+        for name, layers in ranks.items()
+    ]
+
+
+def find_matte(
+    file: Path, typed: str | None, cryptomattes: list[Cryptomatte]
+) -> tuple[Cryptomatte, str] | None:
+    """Find the matte that ``CryptoObject/NAME`` names.
+
+    Parameters
+    ----------
+    file : Path
+    typed : str or None
+        What was written after the colon.
+    cryptomattes : list of Cryptomatte
+        Those of the file.
+
+    Returns
+    -------
+    (Cryptomatte, str) or None
+        It and the object's name, or None if ``typed`` names something else.
+
+    Raises
+    ------
+    InputError
+        If it names a whole Cryptomatte, several of them, or an object that is not there.
+    """
+    layer, _, name = (typed or "").partition("/")
+    found = fitting(layer, cryptomattes) or fitting(_RANK.sub("", layer), cryptomattes)
+    if not found:
+        return None
+    if len(found) > 1:
+        several = ", ".join(whole_name(file, f"{each.name}/{name}") for each in found)
+        raise InputError(f"{file}: '{layer}' fits several layers; write one of these: {several}")
+    cryptomatte, names = found[0], found[0].manifest
+    if not name:
+        example = whole_name(file, f"{cryptomatte.name}/{next(iter(names)) if names else 'NAME'}")
+        raise InputError(
+            f"{file}:{typed}: is a Cryptomatte, which holds hashes of names; write {example} for "
+            f"the matte of one; {cryptomatte.known_names}"
+        )
+    if names and name not in names:
+        raise InputError(f"{file}: {cryptomatte.name} has no '{name}'; {cryptomatte.known_names}")
+    return cryptomatte, name
+
+
+def read_matte(
+    path: str | Path, file: Path, cryptomatte: Cryptomatte, name: str
+) -> NDArray[np.float32]:
+    """Read how much of every pixel an object covers.
+
+    Parameters
+    ----------
+    path : str or Path
+        The file and matte as the user wrote them.
+    file : Path
+    cryptomatte : Cryptomatte
+        Of that file.
+    name : str
+        The object's.
+
+    Returns
+    -------
+    (H, W, 1) float32
+        From 0 to 1.
+
+    Raises
+    ------
+    InputError
+        If the layers cannot be read, or the file lists no names and none of its pixels has this.
+    """
+    wanted = (cryptomatte.manifest or {}).get(name, id_of(name))
+    covered, is_there = 0.0, False
+    for layer in cryptomatte.ranks:
+        pairs = read_layer(path, file, layer)
+        ids = np.ascontiguousarray(pairs[:, :, 0::2]).view(np.uint32)[:, :, : pairs.shape[2] // 2]
+        mine = ids == wanted
+        covered += np.where(mine, pairs[:, :, 1::2], 0).sum(axis=2, keepdims=True)
+        is_there |= mine.any()
+    if not is_there:
+        if not cryptomatte.manifest:
+            raise InputError(
+                f"{file}: no pixel of {cryptomatte.name} is of '{name}', and "
+                f"{cryptomatte.known_names}"
+            )
+        note(f"{path}: covers no pixel", level=logging.WARNING)
+    return np.clip(covered, 0, 1).astype(np.float32)
+
+
+def id_of(name: str) -> int:
+    """The ID of a name: its hash, made to be the bits of an ordinary float.
+
+    Parameters
+    ----------
+    name : str
+
+    Returns
+    -------
+    int
+        From 0 to 2**32 - 1.
+    """
+    hashed = murmur_hash(name.encode())
+    exponent = hashed >> 23 & 255
+    # These bits would be a denormal number, an infinity or no number.
+    return hashed ^ (1 << 23) if exponent in (0, 255) else hashed
+
+
+def _manifest(text):
+    """IDs by name, None where the text lists none."""
+    try:
+        return {name: int(number, 16) for name, number in json.loads(text).items()} or None
+    except (AttributeError, TypeError, ValueError):
+        return None

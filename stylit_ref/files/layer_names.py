@@ -1,0 +1,145 @@
+"""``file:LAYER`` names a layer of a file, or a channel of it."""
+
+import shlex
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Protocol, TypeVar
+
+from stylit_ref.errors import InputError
+from stylit_ref.files.layers import Contents, Layer
+from stylit_ref.files.output_file import real_path
+
+_BEAUTY = ("combined", "beauty", "rgba", "full", "color")
+
+
+def split_layer(path: str | Path) -> tuple[Path, str | None]:
+    """Split ``file:LAYER`` into file and layer, unless a file has that whole name.
+
+    Parameters
+    ----------
+    path : str or Path
+
+    Returns
+    -------
+    file : Path
+    layer : str or None
+
+    Raises
+    ------
+    InputError
+        If there is no such file.
+    """
+    real_path(path)
+    text = str(path)
+    colons = [place for place, sign in enumerate(text) if sign == ":"]
+    splits = [(Path(text), None)]
+    splits += [(Path(text[:place]), text[place + 1 :]) for place in reversed(colons)]
+    for file, layer in splits:
+        if file.is_file():
+            return file, layer
+    return existing_file(next((file for file, _ in reversed(splits) if file.suffix), text)), None
+
+
+def existing_file(file: str | Path) -> Path:
+    """Refuse what is no file.
+
+    Raises
+    ------
+    InputError
+    """
+    real_path(file)
+    if not Path(file).is_file():
+        reason = "is a folder; name an image file" if Path(file).is_dir() else "no such file"
+        raise InputError(f"{file}: {reason}")
+    return Path(file)
+
+
+class Named(Protocol):
+    """What has a name of its own, and others that it answers to."""
+
+    @property
+    def name(self) -> str:
+        """Its own."""
+        ...
+
+    @property
+    def also(self) -> tuple[str, ...]:
+        """The others."""
+        ...
+
+
+AnyNamed = TypeVar("AnyNamed", bound=Named)
+
+
+def fitting(typed: str, candidates: Sequence[AnyNamed]) -> list[AnyNamed]:
+    """The layers that a name fits best, none if it fits none.
+
+    A layer's own name fits best, then another name that it answers to, then one in other letters,
+    then the end of its name: ``DiffDir`` fits ``ViewLayer.DiffDir``.
+    """
+    small = typed.casefold()
+    ways: tuple[Callable[[AnyNamed], bool], ...] = (
+        lambda layer: layer.name == typed,
+        lambda layer: typed in layer.also,
+        lambda layer: small in {name.casefold() for name in (layer.name, *layer.also)},
+        lambda layer: layer.name.casefold().endswith(f".{small}"),
+    )
+    found = ([layer for layer in candidates if fits(layer)] for fits in ways)
+    return next(filter(None, found), [])
+
+
+def whole_name(file: str | Path, name: str) -> str:
+    """What names a layer on the command line, in quotes where the shell needs them."""
+    return shlex.quote(f"{file}:{name}" if name else str(file))
+
+
+def find_layer(file: Path, name: str | None, contents: Contents) -> Layer:
+    """Find a layer by its name, or a channel.
+
+    Parameters
+    ----------
+    file : Path
+    name : str or None
+        None is the unnamed layer, or the only one.
+    contents : Contents
+        Of that file.
+
+    Returns
+    -------
+    Layer
+
+    Raises
+    ------
+    InputError
+        If the file has no such layer, or several that the name fits.
+    """
+    if not name:
+        return _unnamed(file, contents)
+    channels = [channel for layer in contents.layers for channel in layer.channels]
+    found = fitting(name, contents.layers) or fitting(name, channels)
+    if len(found) == 1:
+        return found[0]
+    if found:
+        several = ", ".join(whole_name(file, layer.name) for layer in found)
+        raise InputError(f"{file}: '{name}' fits several layers; write one of these: {several}")
+    known = ", ".join(layer.name for layer in contents.layers if layer.name) or "none"
+    raise InputError(f"{file}: has no layer '{name}'; its layers are: {known}")
+
+
+def _unnamed(file, contents):
+    layers = contents.layers
+    unnamed = next((layer for layer in layers if not layer.name), None)
+    if len(layers) == 1 or (unnamed and unnamed.is_light):
+        return unnamed or layers[0]
+    named = [layer for layer in layers if layer.name]
+    shown = min(named, key=lambda layer: (not layer.is_light, _beauty(layer)))
+    raise InputError(
+        f"{file}: has several layers; write {whole_name(file, shown.name)}; its layers are: "
+        + ", ".join(layer.name for layer in named)
+    )
+
+
+def _beauty(layer):
+    """Where it stands among the names of the picture that shows everything."""
+    last = layer.name.rpartition(".")[2].casefold()
+    return _BEAUTY.index(last) if last in _BEAUTY else len(_BEAUTY)

@@ -1,0 +1,100 @@
+"""Read the pixels of a layer, and nothing else of its file."""
+
+from pathlib import Path
+
+import numpy as np
+import OpenImageIO as oiio
+from numpy.typing import NDArray
+
+from stylit_ref.errors import InputError
+from stylit_ref.files.image_file import check_size, open_image, read_pixels, reason_of
+from stylit_ref.files.layers import Layer
+
+_DEPTHS = {"uint8": "uint8", "uint16": "uint16"} | dict.fromkeys(
+    ("half", "float", "double"), "float"
+)
+
+
+def read_layer(
+    path: str | Path, file: Path, layer: Layer, *, straight: bool = False
+) -> NDArray[np.uint8 | np.uint16 | np.float32]:
+    """Read the pixels of a layer, upright and in the display window.
+
+    Parameters
+    ----------
+    path : str or Path
+        The file and layer as the user wrote them.
+    file : Path
+    layer : Layer
+    straight : bool
+        As of :func:`~stylit_ref.files.image_file.open_image`.
+
+    Returns
+    -------
+    (H, W, n) uint8, uint16 or float32
+        Pixels outside the data window are 0.
+
+    Raises
+    ------
+    InputError
+        If it cannot be read, is too large, or holds NaN or infinity.
+    """
+    source = open_image(file, straight=straight)
+    source.seek_subimage(layer.part, 0)
+    spec = source.spec()
+    if layer.is_deep:  # OpenImageIO would return pixels that it did not fill
+        raise InputError(
+            f"{path}: holds deep pixels; flatten it first: oiiotool {file} --flatten -o flat.exr"
+        )
+    check_size(file, spec, len(layer.numbers))
+    depth = _depth(path, spec, layer)
+    pixels = read_pixels(source, layer.part, layer.numbers, depth)
+    if pixels is None:
+        raise InputError(f"{file}: cannot be read: {reason_of(source.geterror())}")
+    source.close()
+    if spec.roi != spec.roi_full:
+        pixels = _in_display_window(pixels, spec)
+    pixels = np.ascontiguousarray(_upright(pixels, spec.get_int_attribute("Orientation")))
+    if depth == "float":
+        _check_finite(path, pixels)
+    return pixels
+
+
+def _depth(path, spec: oiio.ImageSpec, layer):
+    """The type in which the values are read."""
+    stored = {str(spec.channelformat(number)) for number in layer.numbers}
+    if not stored <= _DEPTHS.keys():
+        raise InputError(
+            f"{path}: holds {', '.join(sorted(stored))} values; save it with 8-bit or 16-bit "
+            "integers, or as floating point"
+        )
+    return _DEPTHS[stored.pop()] if len(stored) == 1 else "float"
+
+
+def _check_finite(path, pixels):
+    broken = ~np.isfinite(pixels)
+    if broken.any():
+        y, x, _ = np.argwhere(broken)[0]
+        raise InputError(
+            f"{path}: {np.count_nonzero(broken.any(axis=2))} pixels are NaN or infinite, "
+            f"the first at (y, x) = ({y}, {x}); all values must be finite"
+        )
+
+
+def _in_display_window(pixels, spec):
+    """The pixels of the display window; those outside the data window are 0."""
+    shown = np.zeros((spec.full_height, spec.full_width, pixels.shape[2]), pixels.dtype)
+    y, x = spec.y - spec.full_y, spec.x - spec.full_x
+    window, pixels = shown[max(y, 0) :, max(x, 0) :], pixels[max(-y, 0) :, max(-x, 0) :]
+    height, width = map(min, window.shape[:2], pixels.shape[:2])
+    window[:height, :width] = pixels[:height, :width]
+    return shown
+
+
+def _upright(pixels, orientation):
+    """Turn pixels upright that are stored in one of the eight orientations of TIFF and Exif."""
+    if orientation in (5, 6, 7, 8):
+        pixels = pixels.swapaxes(0, 1)
+    down = -1 if orientation in (3, 4, 7, 8) else 1
+    right = -1 if orientation in (2, 3, 6, 7) else 1
+    return pixels[::down, ::right]

@@ -1,0 +1,58 @@
+"""``stylit-ref layers``."""
+
+import numpy as np
+from cli.calls import refused
+from exr_files import write_deep, write_exr
+
+from stylit_ref import read_image, write_image
+from stylit_ref.cli import main
+
+
+def listed(capsys, file):
+    assert main(["layers", str(file)]) == 0
+    return [line.split(maxsplit=1) for line in capsys.readouterr().out.splitlines()]
+
+
+def test_each_layer_has_a_line(tmp_path, capsys, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    channels = {f"VL.Combined.{c}": 1 for c in "RGBA"} | {"VL.Depth.Z": 1, "VL.Object Index.X": 1}
+    channels |= {f"VL.CryptoObject{k:02}.{c}": 1 for k in range(2) for c in "rgba"}
+    write_exr("a.exr", channels, depth="float")
+    assert main(["layers", "a.exr"]) == 0
+    assert capsys.readouterr().out.splitlines() == [
+        "a.exr:VL.Combined           R G B A  picture",
+        "a.exr:VL.Combined.A         A        mask, data",
+        "a.exr:VL.Depth              Z        mask, data",
+        "'a.exr:VL.Object Index'     X        mask, data",
+        "a.exr:VL.CryptoObject/NAME           mask, data: Cryptomatte; the file does not list its "
+        "names",
+    ]
+
+
+def test_what_it_prints_can_be_read(tmp_path, capsys):
+    """Channels beside the colours too."""
+    names = ["R", "G", "B", "Z", "matte", "AO.Y", "AO.A", "N.X", "N.Y", "N.Z"]
+    file = write_exr(tmp_path / "a.exr", dict.fromkeys(names, 0.5))
+    lines = listed(capsys, file)
+    assert {line[0].removeprefix(str(file)) for line in lines} == {
+        "", ":Z", ":matte", ":AO", ":AO.A", ":N",
+    }  # fmt: skip
+    for name, _ in lines:
+        assert read_image(name).shape[:2] == (6, 8)
+
+
+def test_a_picture_without_layers(tmp_path, capsys):
+    write_image(tmp_path / "a.png", np.zeros((6, 8, 3), np.uint8))
+    assert listed(capsys, tmp_path / "a.png") == [[f"{tmp_path}/a.png", "R G B  picture"]]
+
+
+def test_a_deep_layer_serves_as_nothing(tmp_path, capsys):
+    (line,) = listed(capsys, write_deep(tmp_path / "a.exr"))
+    assert line[1].endswith(
+        "nothing: its pixels are deep; oiiotool --flatten makes a picture of them"
+    )
+
+
+def test_no_such_file(tmp_path, capsys):
+    message = refused(capsys, main(["layers", str(tmp_path / "none.exr")]))
+    assert message.endswith("none.exr: no such file")
