@@ -131,8 +131,9 @@ def add_to_png(profile: ColourProfile, file: Path) -> None:
         chunks[b"iCCP"] = b"ICC profile\0\0" + zlib.compress(profile.icc)
     if profile.cicp:
         chunks[b"cICP"] = bytes(profile.cicp)
-    if profile.gamma or profile.primaries:
-        red_to_white = np.reshape(profile.primaries or _SRGB_PRIMARIES, (4, 2))
+    red_to_white = np.reshape(profile.primaries or _SRGB_PRIMARIES, (4, 2))
+    # PNG has no negative numbers, which wide spaces of light need.
+    if (profile.gamma or profile.primaries) and (red_to_white >= 0).all():
         white_first = np.rint(1e5 * np.roll(red_to_white, 1, axis=0)).astype(int)
         chunks[b"gAMA"] = struct.pack(">I", round(1e5 / (profile.gamma or _SRGB_GAMMA)))
         chunks[b"cHRM"] = struct.pack(">8I", *white_first.flat)
@@ -159,9 +160,9 @@ def note_what_is_lost(profile: ColourProfile, path: str | Path, written: ColourP
     """A note if a file says less of its colours than the profile that was meant for it."""
     lost = differences(profile, written)
     if lost:
-        what, keeps = " and ".join(lost), ".exr" if profile.of_light else ".png"
+        what, keeps = " and ".join(lost), "an .exr" if profile.of_light else "a .png"
         note(
-            f"{path}: cannot hold the {what} of the style, so its colours are taken as sRGB; a "
+            f"{path}: cannot hold the {what} of the style, so its colours are taken as sRGB; "
             f"{keeps} file can",
             level=logging.WARNING,
         )

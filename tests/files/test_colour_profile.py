@@ -86,15 +86,20 @@ def test_primaries_go_into_exr(tmp_path, image, profile, caplog):
         (OF_GAMMA, "exr", "gamma of 1.8"),
         (OF_GAMMA, "jpg", "gamma of 1.8 and primaries"),
         (OF_LIGHT, "tif", "primaries"),
+        (
+            OF_LIGHT._replace(primaries=(0.7347, 0.2653, 0, 1, 0.0001, -0.077, 0.3217, 0.3377)),
+            "png",
+            "primaries",
+        ),
         (OF_LIGHT._replace(icc=ICC, icc_name="X"), "png", "ICC profile 'X'"),
     ],
 )
 def test_what_a_format_cannot_say_is_told(tmp_path, image, profile, suffix, lost, caplog):
     write_image(tmp_path / f"a.{suffix}", image, profile=profile)
-    keeps = ".exr" if profile.of_light else ".png"
+    keeps = "an .exr" if profile.of_light else "a .png"
     said = (
         f"{tmp_path}/a.{suffix}: cannot hold the {lost} of the style, so its colours are taken as "
-        f"sRGB; a {keeps} file can"
+        f"sRGB; {keeps} file can"
     )
     assert caplog.record_tuples == [("stylit_ref", logging.WARNING, said)]
 
