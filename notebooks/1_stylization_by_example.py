@@ -228,7 +228,7 @@ plt.show()
 
 # %% tags=["hide-input"]
 def together(lde, ldde):
-    return to_uint8(to_linear(lde) + to_linear(ldde))
+    return to_uint8(to_linear(lde) + to_linear(ldde), curve="srgb")
 
 
 # %%

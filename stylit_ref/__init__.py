@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from stylit_ref.errors import InputError
     from stylit_ref.files.bit_depth import to_uint8
+    from stylit_ref.files.field import Field
+    from stylit_ref.files.nnf_file import read_nnf, write_nnf
     from stylit_ref.files.read_image import read_image, read_uint8
     from stylit_ref.files.write_image import write_image
     from stylit_ref.machine.profiling import Profile
@@ -20,24 +22,29 @@ if TYPE_CHECKING:
 
 __all__ = [
     "PRESETS",
+    "Field",
     "InputError",
     "Params",
     "Profile",
     "Result",
     "Step",
     "read_image",
+    "read_nnf",
     "read_uint8",
     "replay",
     "stylize",
     "to_uint8",
     "warm_up",
     "write_image",
+    "write_nnf",
 ]
 __version__ = "0.1.0"
 
 _HOMES = {
     "errors": ("InputError",),
     "files.bit_depth": ("to_uint8",),
+    "files.field": ("Field",),
+    "files.nnf_file": ("read_nnf", "write_nnf"),
     "files.read_image": ("read_image", "read_uint8"),
     "files.write_image": ("write_image",),
     "machine.profiling": ("Profile",),

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
 from stylit_ref.files.read_image import read_guides, read_mask, read_uint8
-from stylit_ref.stylization.checks import check_guides, check_mask
+from stylit_ref.stylization.checks import check_fill, check_guides, check_mask
 
 
 class ImagesIn(NamedTuple):
@@ -20,7 +20,7 @@ class ImagesIn(NamedTuple):
     source_guides, target_guides : tuple of (H, W, c) uint8
         Pairs with the same number of channels, of the style's size and of the target's.
     mask : (H_B, W_B) bool or None
-    fill : (H_B, W_B, n) uint8 or None
+    fill : (H_B, W_B, m) uint8 or None
     """
 
     style: NDArray[np.uint8]
@@ -86,8 +86,9 @@ def read_images(options: argparse.Namespace) -> ImagesIn:
     mask = read_mask(options.mask) if options.mask else None
     fill = read_uint8(options.fill) if options.fill else None
     if mask is not None:
-        size, channels = targets[0].shape[:2], style.shape[2]
-        check_mask(mask, fill, size, channels)
+        check_mask(mask, targets[0].shape[:2])
+    if fill is not None:
+        check_fill(fill, targets[0].shape[:2])
     return ImagesIn(style, sources, targets, mask, fill)
 
 

@@ -2,15 +2,25 @@
 
 import argparse
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from stylit_ref.cli.deep_images import DeepImages, read_deep_images
 from stylit_ref.cli.images_in import ImagesIn, paths_in
+from stylit_ref.files.colour_profile import (
+    ColourProfile,
+    note_another_profile,
+    read_colour_profile,
+)
+from stylit_ref.files.field import Field
 from stylit_ref.files.nnf_file import check_nnf_writable, write_nnf
 from stylit_ref.files.output_file import check_distinct, check_folder
 from stylit_ref.files.write_image import check_image_writable, write_image
+from stylit_ref.stylization.mask import filled_channels
 from stylit_ref.stylization.params import Params
+from stylit_ref.stylization.replaying import replay
 from stylit_ref.stylization.stylize import Result
 
 _LEVEL, _GUIDE_MAP = "level_{}.png", "guide_map_{}.png"
@@ -37,7 +47,50 @@ def add_other_outputs(group: argparse._ArgumentGroup) -> None:
     )  # fmt: skip
 
 
-def check_outputs(options: argparse.Namespace, params: Params, images: ImagesIn) -> None:
+class Outputs(NamedTuple):
+    """What a run writes, and what it needs for that.
+
+    Attributes
+    ----------
+    options : argparse.Namespace
+    params : Params
+    images : ImagesIn
+    profile : ColourProfile
+        What the style's file says of its colours; the pictures say it too.
+    deep : DeepImages or None
+        What the picture is made of if it has more than 8 bits.
+    """
+
+    options: argparse.Namespace
+    params: Params
+    images: ImagesIn
+    profile: ColourProfile
+    deep: DeepImages | None
+
+    def save_level(self, level: int, image: NDArray[np.uint8]) -> None:
+        """Write the image of a level, where ``--save-levels`` asks for it."""
+        if self.options.save_levels:
+            file = Path(self.options.save_levels) / _LEVEL.format(level)
+            write_image(file, image, profile=self.profile)
+
+    def write(self, result: Result) -> None:
+        """Write all that is left to write once a run is done."""
+        height, width = self.images.style.shape[:2]
+        outliers, mask = self.params.vote_outliers, self.images.mask
+        field = Field(result.nnf, self.params.patch_width, outliers, (height, width), mask)
+        image = result.image
+        if self.deep:
+            image = replay(field, self.deep.style, fill=self.deep.fill)
+        write_image(self.options.output, image, profile=self.profile)
+        if self.options.save_levels:
+            for level, white in enumerate(result.guide_maps, 1):
+                guide_map = white[:, :, None].astype(np.uint8) * 255
+                write_image(Path(self.options.save_levels) / _GUIDE_MAP.format(level), guide_map)
+        if self.options.nnf:
+            write_nnf(self.options.nnf, field)
+
+
+def check_outputs(options: argparse.Namespace, params: Params, images: ImagesIn) -> Outputs:
     """Refuse files that cannot be written, or would overwrite others.
 
     Parameters
@@ -47,13 +100,18 @@ def check_outputs(options: argparse.Namespace, params: Params, images: ImagesIn)
     params : Params
     images : ImagesIn
 
+    Returns
+    -------
+    Outputs
+
     Raises
     ------
     InputError
     """
     channels = images.style.shape[2]
-    adds_alpha = images.mask is not None and images.fill is None and channels in (1, 3)
-    check_image_writable(options.output, channels + adds_alpha)
+    if images.mask is not None:
+        channels = filled_channels(channels, None if images.fill is None else images.fill.shape[2])
+    check_image_writable(options.output, channels)
     if options.nnf:
         check_nnf_writable(options.nnf)
     if options.save_levels:
@@ -62,23 +120,10 @@ def check_outputs(options: argparse.Namespace, params: Params, images: ImagesIn)
         [options.output, options.nnf, options.save_levels, *_level_files(options, params)],
         paths_in(options),
     )
-
-
-def save_level(options: argparse.Namespace, level: int, image: NDArray[np.uint8]) -> None:
-    """Write the image of a level, where ``--save-levels`` asks for it."""
-    if options.save_levels:
-        write_image(Path(options.save_levels) / _LEVEL.format(level), image)
-
-
-def write_result(options: argparse.Namespace, result: Result) -> None:
-    """Write all that is left to write once a run is done."""
-    write_image(options.output, result.image)
-    if options.save_levels:
-        for level, white in enumerate(result.guide_maps, 1):
-            image = white[:, :, None].astype(np.uint8) * 255
-            write_image(Path(options.save_levels) / _GUIDE_MAP.format(level), image)
-    if options.nnf:
-        write_nnf(options.nnf, result.nnf)
+    profile = read_colour_profile(options.style)
+    if options.fill:
+        note_another_profile(options.fill, profile)
+    return Outputs(options, params, images, profile, read_deep_images(options, channels))
 
 
 def _level_files(options, params):

@@ -3,20 +3,24 @@
 import argparse
 from time import perf_counter
 
+from stylit_ref.cli.deep_images import holds_bits_of
 from stylit_ref.cli.finished import tell_finished
 from stylit_ref.cli.parser import Parser
+from stylit_ref.files.bit_depth import to_depth
+from stylit_ref.files.colour_profile import note_another_profile, read_colour_profile
 from stylit_ref.files.nnf_file import read_nnf
 from stylit_ref.files.output_file import check_distinct
-from stylit_ref.files.read_image import read_image
+from stylit_ref.files.read_image import read_image, read_mask
 from stylit_ref.files.write_image import check_image_writable, write_image
-from stylit_ref.stylization.params import Params
 from stylit_ref.stylization.replaying import replay
 
 _DESCRIPTION = """\
 Make the picture of a run anew from another version of the painting: with other colours, more bits,
 or enlarged. The run must have written with --nnf where every pixel came from. For instance:
 
-  stylit-ref replay --nnf field.npy --style twice_as_large.exr --scale 2 --output large.exr"""
+  stylit-ref replay --nnf field.npy --style twice_as_large.exr --output large.exr
+
+The file knows the patch width, the mask and the sizes of its run."""
 
 
 def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
@@ -31,12 +35,20 @@ def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
     parser.add_argument("--style", required=True, metavar="IMAGE", help="the painting to send")
     parser.add_argument("--output", required=True, metavar="IMAGE", help="the picture to write")
     parser.add_argument(
-        "--patch-size", type=int, metavar="N", default=Params().patch_width, dest="patch_width",
-        help="patch width of the run (default %(default)s)",
+        "--mask", metavar="IMAGE",
+        help="leave the pixels alone that are white here (default: those that the run left alone)",
     )  # fmt: skip
     parser.add_argument(
-        "--scale", type=int, default=1, metavar="N",
-        help="how many times larger the style is (default %(default)s)",
+        "--fill", metavar="IMAGE", help="show this image there (default: transparent)"
+    )
+    parser.add_argument(
+        "--patch-size", type=int, metavar="N", dest="patch_width",
+        help="patch width of the run (default: what the file says; 5 if it says nothing)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--scale", type=int, metavar="N",
+        help="how many times larger the style is (default: what the sizes say; 1 if the file does "
+        "not say its style's)",
     )  # fmt: skip
     parser.add_argument("--quiet", action="store_true", help="say nothing but what is wrong")
 
@@ -45,10 +57,18 @@ def run(options: argparse.Namespace) -> None:
     """Read, vote, write."""
     start = perf_counter()
     style = read_image(options.style)
-    nnf = read_nnf(options.nnf)
-    check_distinct([options.output], [options.style, options.nnf])
-    check_image_writable(options.output, style.shape[2])
-    image = replay(nnf, style, patch_width=options.patch_width, scale=options.scale)
-    write_image(options.output, image)
+    field = read_nnf(options.nnf)
+    mask = read_mask(options.mask) if options.mask else None
+    fill = to_depth(read_image(options.fill), style.dtype) if options.fill else None
+    check_distinct([options.output], [options.style, options.nnf, options.mask, options.fill])
+    profile = read_colour_profile(options.style)
+    if options.fill:
+        note_another_profile(options.fill, profile)
+    image = replay(
+        field, style, patch_width=options.patch_width, scale=options.scale, mask=mask, fill=fill
+    )
+    check_image_writable(options.output, image.shape[2])
+    holds_bits_of(style, options.output, image.shape[2])
+    write_image(options.output, image, curve="srgb", profile=profile)
     if not options.quiet:
         tell_finished(options.output, image, perf_counter() - start)

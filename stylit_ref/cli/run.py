@@ -3,7 +3,6 @@
 import argparse
 import logging
 import sys
-from functools import partial
 from time import perf_counter
 
 from stylit_ref.cli.finished import tell_finished
@@ -12,8 +11,6 @@ from stylit_ref.cli.images_out import (
     add_other_outputs,
     add_output_option,
     check_outputs,
-    save_level,
-    write_result,
 )
 from stylit_ref.cli.method_options import add_method, add_parameters, add_preset, chosen_params
 from stylit_ref.cli.methods import offer_of
@@ -85,7 +82,7 @@ def run(options: argparse.Namespace) -> None:
     profile = Profile()
     with profile.stage("reading images"):
         images = read_images(options)
-    check_outputs(options, params, images)
+    outputs = check_outputs(options, params, images)
     if images.mask is not None and not images.mask.any():
         note("has no white pixel, so none is left alone", parameter="mask", level=logging.WARNING)
     with ProgressLine(options.quiet, options.verbose) as line:
@@ -101,11 +98,11 @@ def run(options: argparse.Namespace) -> None:
             threads=options.threads,
             compiling=line.compiling if line.is_shown else None,  # it takes 50 ms to ask
             progress=line.step,
-            on_level=partial(save_level, options),
+            on_level=outputs.save_level,
             profile=profile,
         )
     with profile.stage("writing images"):
-        write_result(options, result)
+        outputs.write(result)
     if options.profile:
         print(*profile.table(), sep="\n", file=sys.stderr)
     if not options.quiet:

@@ -7,32 +7,39 @@ Colours are premultiplied by alpha, while the curve belongs on those of the pain
 over colours divided by alpha, which are multiplied by alpha again. Alpha is data.
 """
 
+import logging
 from collections.abc import Callable
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 from skimage.util import img_as_float32
 
 from stylit_ref.errors import InputError
+from stylit_ref.notes import note
+
+Curve = Literal["srgb", "none"]
 
 
 def to_uint8(
     image: NDArray[np.uint8 | np.uint16 | np.floating],
     alpha_channel: int | None = None,
     *,
-    is_light: bool = True,
+    curve: Curve | None = None,
 ) -> NDArray[np.uint8]:
     """Convert an image to 8 bits as displayed.
 
     Parameters
     ----------
     image : (H, W, ...) uint8, uint16 or floating point
-        Colours are premultiplied by alpha.
+        Colours are premultiplied by alpha. Floating point is clipped to [0, 1].
     alpha_channel : int, optional
         Channel of the last axis that is alpha.
-    is_light : bool
-        Whether floating point is scene-linear light, which goes through the sRGB curve. Otherwise
-        1 becomes 255 without a curve.
+    curve : {"srgb", "none"}, optional
+        What floating point goes through; integers are display values already. ``"srgb"`` is for
+        scene-linear light, as EXR files hold it. ``"none"`` is for data, and for display values
+        between 0 and 1, as ``image / 255`` and scikit-image have them. By default ``"srgb"``, with
+        a note.
 
     Returns
     -------
@@ -41,8 +48,10 @@ def to_uint8(
     Raises
     ------
     InputError
-        If the dtype is another one.
+        If the dtype or the curve is another one.
     """
+    if curve not in (None, "srgb", "none"):
+        raise InputError(f"is {curve!r}; it must be 'srgb' or 'none'", parameter="curve")
     image = np.asarray(image)
     if image.dtype == np.uint8:
         return image
@@ -52,10 +61,42 @@ def to_uint8(
         raise InputError(
             f"has dtype {image.dtype}; it must be uint8, uint16 or float", parameter="image"
         )
+    if curve is None:
+        note(
+            "is floating point and taken as scene-linear light, which makes it brighter; "
+            "curve='none' takes display values such as image / 255 as they are, and curve='srgb' "
+            "says that it is light",
+            parameter="image",
+            level=logging.WARNING,
+        )
     shown = image.astype(np.float32)
-    if is_light:
+    if curve != "none":
         shown = _over_straight_colours(_encode, shown, alpha_channel)
-    return np.floor(np.clip(shown, 0, 1) * 255 + 0.5).astype(np.uint8)
+    return _rounded(shown, 255).astype(np.uint8)
+
+
+def to_depth(
+    image: NDArray[np.uint8 | np.uint16 | np.float32], dtype: np.dtype
+) -> NDArray[np.uint8 | np.uint16 | np.float32]:
+    """Convert an image to the depth of another one: uint8, uint16, or float32 of linear light.
+
+    With 2 or 4 channels the last is alpha.
+    """
+    alpha_channel = image.shape[2] - 1 if image.ndim == 3 and image.shape[2] in (2, 4) else None
+    if image.dtype == dtype:
+        return image
+    if dtype == np.float32:
+        return to_linear(image, alpha_channel)
+    if dtype == np.uint8:
+        return to_uint8(image, alpha_channel, curve="srgb")
+    if image.dtype == np.uint8:
+        return image.astype(np.uint16) * np.uint16(257)
+    shown = _over_straight_colours(_encode, image, alpha_channel)
+    return _rounded(shown, 65535).astype(np.uint16)
+
+
+def _rounded(shown, largest):
+    return np.floor(np.clip(shown, 0, 1) * largest + 0.5)
 
 
 def to_linear(

@@ -167,6 +167,7 @@ def _displayed(path):
                 f"{path}: {clipped:.0%} of the values lie outside [0, 1] and are clipped",
                 level=logging.WARNING,
             )
-    # A conversion takes much memory.
-    rows = [to_uint8(row, alpha_channel, is_light=is_light) for row in image]
+    curve = "srgb" if is_light else "none"
+    # Row by row, since a conversion takes much memory.
+    rows = [to_uint8(row, alpha_channel, curve=curve) for row in image]
     return np.stack(rows), alpha_channel

@@ -129,13 +129,8 @@ def _names(parameter, guides):
     return [f"{parameter}[{k}]" for k in range(len(guides))]
 
 
-def check_mask(
-    mask: NDArray[np.bool_],
-    fill: ArrayLike | None,
-    target_size: tuple[int, int],
-    style_channels: int,
-) -> None:
-    """Mask and fill have the target's size, and something is left to synthesize."""
+def check_mask(mask: NDArray[np.bool_], target_size: tuple[int, int]) -> None:
+    """A mask has the target's size, and something is left to synthesize."""
     if mask.dtype != bool or mask.ndim != 2:
         raise InputError(
             f"is {mask.dtype} of shape {mask.shape}; it must be bool of shape (H, W)",
@@ -151,13 +146,20 @@ def check_mask(
         raise InputError(
             "covers the whole target, so nothing is left to synthesize", parameter="mask"
         )
-    if fill is None:
-        return
-    fill = as_image(fill, "fill")
-    if fill.shape != (*target_size, style_channels):
+
+
+def check_fill(fill: np.ndarray, target_size: tuple[int, int]) -> None:
+    """A fill is an image of the target's size: grey or colour, with or without alpha."""
+    if fill.shape[:2] != target_size:
         raise InputError(
-            f"is {size_text(fill.shape)} with {fill.shape[2]} channels; it must be "
-            f"{size_text(target_size)} with the style's {style_channels}",
+            f"is {size_text(fill.shape)} but the target is {size_text(target_size)}; "
+            "they must have the same size",
+            parameter="fill",
+        )
+    channels = fill.shape[2] if fill.ndim == 3 else 1
+    if fill.ndim > 3 or not 1 <= channels <= 4:
+        raise InputError(
+            f"has shape {fill.shape}; it must be grey or RGB, with or without alpha",
             parameter="fill",
         )
 

@@ -11,6 +11,7 @@ from stylit_ref.metric.packing import make_packing
 from stylit_ref.stylization.backends import CPU, Backend
 from stylit_ref.stylization.checks import (
     as_image,
+    check_fill,
     check_guides,
     check_mask,
     check_source_guides,
@@ -94,7 +95,7 @@ def make_target(
     check_target_guides(targets, exemplar.packing.guide_sizes)
     size = targets[0].shape[:2]
     mask = np.zeros(size, bool) if mask is None else as_array(mask, "mask")
-    check_mask(mask, None, size, exemplar.packing.style_channels)
+    check_mask(mask, size)
     texture, width = exemplar.packing.pack(targets), exemplar.patch_width
     return Target(exemplar.passes, exemplar.packing, width, texture, active_patches(mask, width))
 
@@ -135,7 +136,7 @@ def make_synthesis(
     check_guides(style, sources, targets)
     size = targets[0].shape[:2]
     if fill is not None:
-        check_mask(np.zeros(size, bool), fill, size, style.shape[2])
+        check_fill(as_image(fill, "fill"), size)
     params = fit_levels(params, style.shape[:2], size)
     exemplar = make_exemplar(style, sources, params, backend=backend)
     target = make_target(targets, exemplar, mask=mask)

@@ -30,7 +30,7 @@ class Result:
     Attributes
     ----------
     image : (H_B, W_B) or (H_B, W_B, n) uint8
-        The output B', shaped like the style.
+        The output B', with the style's channels, and those that a mask's fill adds.
     nnf : (H_B, W_B, 2) int32
         For each target pixel the centre ``(y, x)`` of its source patch; -1 where a
         mask leaves the pixel alone.
@@ -87,9 +87,10 @@ def stylize(
         From 0 to 2**64 - 1.
     mask : (H_B, W_B) bool, optional
         True where the target is left alone. No source patch is spent there.
-    fill : array like the output, optional
-        What masked pixels show; without it they are transparent and the image gains
-        an alpha channel if the style has none.
+    fill : (H_B, W_B) or (H_B, W_B, n) uint8, optional
+        What masked pixels show, 1 to 4 channels; grey is spread to colour beside a style in
+        colour, and the other way round. The image has an alpha channel if style or fill has one.
+        Without a fill masked pixels are transparent, and the image has an alpha channel.
     backend : {"cpu", "auto", "cuda", "cuda:shared_memory", "cuda:live", "cuda:live_sums"}
         Where to compute. ``auto`` takes a GPU if there is one and the method has kernels.
         All but the last two give the same bytes; ``cuda:shared_memory`` keeps target patches in
@@ -153,7 +154,8 @@ def stylize(
     del synthesis  # the pyramids make room for the result
     image = finest.style
     if mask is not None:
-        image = fill_masked(image, as_array(mask, "mask"), fill)
+        filling = None if fill is None else as_array(fill, "fill")
+        image = fill_masked(image, as_array(mask, "mask"), filling)
     synthesized = finest.target.synthesized
     return Result(
         image=_shaped_like(style, image),

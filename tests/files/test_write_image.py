@@ -146,3 +146,49 @@ def test_an_interrupted_write_leaves_the_old_file(tmp_path, image, monkeypatch):
         write_image(file, 255 - image)
     assert file.read_bytes() == before
     assert list(tmp_path.iterdir()) == [file]
+
+
+@pytest.fixture
+def strokes():
+    """Red dots of one pixel on blue, which coarser colours lose."""
+    image = np.full((64, 80, 3), [20, 40, 200], np.uint8)
+    image[::3, ::3] = [220, 20, 20]
+    return image
+
+
+@pytest.mark.parametrize("suffix", ["jpg", "jpeg", "JPG"])
+def test_jpeg_keeps_thin_strokes(tmp_path, strokes, suffix):
+    write_image(tmp_path / f"a.{suffix}", strokes)
+    difference = np.abs(read_image(tmp_path / f"a.{suffix}").astype(int) - strokes)
+    assert difference.mean() < 2
+    assert difference.max() < 20
+
+
+@pytest.mark.parametrize(
+    ("suffix", "channels"),
+    [("webp", 3), ("webp", 4), ("jp2", 3), ("j2c", 3), ("jxl", 3), ("jxl", 4)],
+)
+def test_formats_that_can_keep_every_value_do(tmp_path, strokes, suffix, channels):
+    if channels == 4:
+        strokes = np.dstack([strokes, np.full(strokes.shape[:2], 255, np.uint8)])
+        strokes[10:20, 10:20] = 0
+        strokes[30:40] = strokes[30:40] // 2
+    write_image(tmp_path / f"a.{suffix}", strokes)
+    np.testing.assert_array_equal(read_image(tmp_path / f"a.{suffix}"), strokes)
+
+
+@pytest.mark.parametrize(
+    ("suffix", "depth", "stored"),
+    [
+        ("png", "uint8", "uint8"),
+        ("png", "uint16", "uint16"),
+        ("jp2", "uint16", "uint16"),
+        ("jxl", "uint16", "uint16"),
+        ("jpg", "uint16", "uint8"),
+        ("bmp", "uint16", "uint8"),
+        ("exr", "float", "float"),
+    ],
+)
+def test_the_depth_of_a_format_is_known_before_the_work(tmp_path, suffix, depth, stored):
+    assert check_image_writable(tmp_path / f"a.{suffix}", 3, depth) == stored
+    assert not list(tmp_path.iterdir())

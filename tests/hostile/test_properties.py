@@ -217,7 +217,9 @@ def test_masks_seeds_and_threads_pass_the_door_if_they_fit(door, mask, fill, see
         and mask.shape == (6, 7)
         and not mask.all()
     )
-    good_fill = fill is None or (is_image(fill) and np.atleast_3d(fill).shape == (6, 7, 3))
+    good_fill = fill is None or (
+        is_image(fill) and fill.shape[:2] == (6, 7) and np.atleast_3d(fill).shape[2] <= 4
+    )
     good_seed = isinstance(seed, int | np.integer) and 0 <= seed < 2**64
     good_threads = threads is None or (isinstance(threads, int | np.integer) and threads >= 1)
     try:
@@ -281,9 +283,8 @@ def test_a_run_keeps_what_it_promises(run):
     assert result.omega.sum() == width**2 * np.count_nonzero(assigned)
     assert (np.isnan(result.error) == ~assigned).all()
     assert (result.error[assigned] >= 0).all()
-    shown, _ = refusal(replay, result.nnf, scene[0], patch_width=width)
-    where = np.ones(target_size, bool) if mask is None else ~mask
-    np.testing.assert_array_equal(result.image[where][:, :3], shown[where])
+    shown, _ = refusal(replay, result.nnf, scene[0], patch_width=width, mask=mask)
+    np.testing.assert_array_equal(shown, result.image)
     again, _ = refusal(stylize, *scene, params, seed=seed, mask=mask, threads=1)
     np.testing.assert_array_equal(again.nnf, result.nnf)
     np.testing.assert_array_equal(again.image, result.image)
@@ -314,9 +315,12 @@ def test_a_run_keeps_what_it_promises(run):
 def test_a_replay_is_of_the_style_or_refused(nnf, style, patch_width, scale):
     image, sentence = refusal(replay, nnf, style, patch_width=patch_width, scale=scale)
     if sentence:
-        assert any(word in sentence for word in ("nnf", "NNF", "style", "patch_width", "scale"))
+        assert any(word in sentence for word in ("nnf", "style", "patch_width", "scale"))
         return
-    assert image.shape == (scale * nnf.shape[0], scale * nnf.shape[1], *style.shape[2:])
+    assert image.shape[:2] == (scale * nnf.shape[0], scale * nnf.shape[1])
+    transparent = (nnf[:, :, 0] < 0).any()
+    channels = np.atleast_3d(style).shape[2]
+    assert np.atleast_3d(image).shape[2] == channels + transparent * (channels % 2)
     assert image.dtype == style.dtype
     if (nnf >= 0).all():
         assert image.min() >= style.min()

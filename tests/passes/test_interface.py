@@ -26,7 +26,7 @@ propagation(textures, omega_sums, occurrence_weight, patch_width, nnf, delta, ne
 random_nnf(nnf, patch_width, source_height, source_width, stream)
 random_search(textures, omega_sums, occurrence_weight, patch_width, nnf, delta, new_nnf, new_delta, stream, side=None)
 repeat_edge(image, radius)
-replay_vote(style, means, nnf, patch_width, scale)
+replay_vote(style, means, nnf, patch_width, scale, outliers=0)
 scanline(source, target, weights, omega, occurrence_weight, patch_width, nnf, stream, reverse)
 settle_claims(claims, errors, last_error, last_claims, limits, taken, patch_width, nnf, delta)
 similarity(textures, patch_width, nnf, delta)

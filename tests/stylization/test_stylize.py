@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from small_scene import small_scene
 
-from stylit_ref import PRESETS, InputError, Params, replay, stylize
+from stylit_ref import PRESETS, Field, InputError, Params, replay, stylize
 
 QUICK = Params(levels=3, votes=2, patchmatch_iterations=2)
 
@@ -285,13 +285,12 @@ class TestReplay:
         )
         assert caplog.record_tuples == [("stylit_ref", logging.WARNING, said)]
 
-    def test_unassigned_pixels_are_zero(self):
-        style, *guides = small_scene()
-        result = stylize(style, *guides, QUICK, mask=TestMask.mask)
-        image = replay(result.nnf, style)
-        assert (image[14:26, 12:32] == 0).all()
-        visible = ~TestMask.mask
-        np.testing.assert_array_equal(image[visible], result.image[visible][:, :3])
+    def test_votes_that_a_run_left_out_are_left_out_again(self):
+        scene = small_scene()
+        result = stylize(*scene, quick(vote_outliers=4))
+        again = replay(Field(result.nnf, vote_outliers=4), scene[0])
+        np.testing.assert_array_equal(again, result.image)
+        assert (replay(result.nnf, scene[0]) != result.image).any()
 
     @pytest.mark.parametrize(
         ("change", "message"),
@@ -300,6 +299,7 @@ class TestReplay:
             ({"nnf": np.zeros((4, 4), np.int32)}, r"shape \(4, 4\)"),
             ({"style": np.zeros((20, 20, 3), np.uint8)}, "20x20"),
             ({"style": np.zeros((40, 46, 3))}, "float64"),
+            ({"nnf": np.full((8, 8, 2), -1, np.int32)}, "nnf assigns nothing"),
             ({"patch_width": 4}, "patch_width is 4"),
             ({"scale": 3}, "multiples of the scale 3"),
             ({"scale": 2.0}, "scale is 2.0"),
@@ -358,6 +358,10 @@ def bad_scene(**changes):
         ({"mask": np.zeros((38, 44))}, "float64"),
         ({"mask": np.zeros((38, 44, 1), bool)}, r"\(38, 44, 1\)"),
         ({"mask": np.eye(38, 44, dtype=bool), "fill": np.zeros((38, 43, 3), np.uint8)}, "43x38"),
+        (
+            {"mask": np.eye(38, 44, dtype=bool), "fill": np.zeros((38, 44, 5), np.uint8)},
+            r"fill has shape \(38, 44, 5\); it must be grey or RGB",
+        ),
     ],
     ids=lambda value: value if isinstance(value, str) else ",".join(value),
 )
