@@ -1,6 +1,6 @@
 """Open an image file and read its pixels."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -39,13 +39,13 @@ def open_image(file: str | Path, *, straight: bool = False) -> oiio.ImageInput:
     wishes.attribute("oiio:UnassociatedAlpha", int(straight))
     image = oiio.ImageInput.open(str(file), wishes)
     if image is None:
-        said = oiio.geterror()
+        said = _said(oiio.geterror)
         if "Subsampled channels" in said:
             raise InputError(
                 f"{file}: stores luminance, and colour at a lower resolution; open it in an image "
                 "editor and save it with R, G and B channels"
             )
-        raise InputError(f"{file}: cannot be read: {reason_of(said)}")
+        raise InputError(f"{file}: cannot be read: {_first_line(said)}")
     return image
 
 
@@ -105,6 +105,18 @@ def read_pixels(
     return np.take(pixels, [ordered.index(number) for number in numbers], axis=2)
 
 
-def reason_of(said: str) -> str:
-    """The first line of OpenImageIO's error: the others give advice or repeat it."""
+def reason_of(*geterror: Callable[[], str]) -> str:
+    """What the first of OpenImageIO's ``geterror`` functions that knows an error says of it."""
+    return _first_line(next(filter(None, map(_said, geterror)), "OpenImageIO gives no reason"))
+
+
+def _said(geterror):
+    try:
+        return geterror()
+    except UnicodeDecodeError:  # it quotes the file
+        return "a name in its header is not UTF-8"
+
+
+def _first_line(said):
+    """The other lines give advice or repeat it."""
     return said.split("\n")[0].rstrip(".")

@@ -51,7 +51,7 @@ def read_layer(
     depth = _depth(path, spec, layer)
     pixels = read_pixels(source, layer.part, layer.numbers, depth)
     if pixels is None:
-        raise InputError(f"{file}: cannot be read: {reason_of(source.geterror())}")
+        raise InputError(f"{file}: cannot be read: {reason_of(source.geterror)}")
     source.close()
     note_oddities(path, file, spec, layer)
     if spec.roi != spec.roi_full:

@@ -90,7 +90,7 @@ def write_image(
         output = oiio.ImageOutput.create(str(partial))
         written = output.open(str(partial), spec) and output.write_image(image)
         if not (output.close() and written):
-            reason = reason_of(output.geterror() or oiio.geterror())
+            reason = reason_of(output.geterror, oiio.geterror)
             raise InputError(f"{path}: cannot be written: {reason}")
         if told and is_png:
             add_to_png(told, partial)
@@ -140,12 +140,12 @@ def check_image_writable(path: str | Path, channels: int, depth: str = "uint8") 
         # JPEG 2000 has no smaller images, and OpenImageIO reads no emptier ones of JPEG XL.
         pixels = np.arange(64 * 64 * channels, dtype=np.uint16).reshape(64, 64, channels)
         if not output.open(str(probe), oiio.ImageSpec(64, 64, channels, depth)):
-            raise InputError(f"{path}: cannot be written: {reason_of(output.geterror())}")
+            raise InputError(f"{path}: cannot be written: {reason_of(output.geterror)}")
         output.write_image(pixels)
         output.close()
         written = oiio.ImageInput.open(str(probe))
         if written is None:  # on a full disk, which some writers do not notice
-            raise InputError(f"{path}: cannot be written: {reason_of(oiio.geterror())}")
+            raise InputError(f"{path}: cannot be written: {reason_of(oiio.geterror)}")
         return str(written.spec().format)
 
 

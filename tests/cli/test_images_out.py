@@ -80,9 +80,9 @@ def test_sixteen_bits_become_light_in_exr(scene):
 def test_bits_that_the_output_has_not_are_noted(scene, style_suffix, output, said, capsys):
     folder, style, *_ = scene
     write_deep_style(folder, style, style_suffix)
-    options = "--output", folder / output, "--quiet"
+    options = "--output", folder / output
     assert run(folder, *options, style=f"deep.{style_suffix}") == 0
-    assert capsys.readouterr().err == f"note: {folder / output}: {said}\n"
+    assert capsys.readouterr().err.startswith(f"note: {folder / output}: {said}\n")
     assert read_image(folder / output).dtype == np.uint8
 
 
