@@ -7,6 +7,7 @@ import OpenImageIO as oiio
 from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
+from stylit_ref.files.alpha import STORED_STRAIGHT, multiplied_by_alpha
 from stylit_ref.files.image_file import check_size, open_image, read_pixels, reason_of
 from stylit_ref.files.layers import Layer
 from stylit_ref.files.oddities import note_oddities
@@ -41,6 +42,8 @@ def read_layer(
         If it cannot be read, is too large, or holds NaN or infinity.
     """
     source = open_image(file, straight=straight)
+    if source.format_name() == "jpeg2000":  # OpenImageIO multiplies these by a power of alpha
+        source = open_image(file, straight=True)
     source.seek_subimage(layer.part, 0)
     spec = source.spec()
     if layer.is_deep:  # OpenImageIO would return pixels that it did not fill
@@ -52,6 +55,7 @@ def read_layer(
     pixels = read_pixels(source, layer.part, layer.numbers, depth)
     if pixels is None:
         raise InputError(f"{file}: cannot be read: {reason_of(source.geterror)}")
+    is_straight = source.format_name() in (*STORED_STRAIGHT, "jpeg2000")
     source.close()
     note_oddities(path, file, spec, layer)
     if spec.roi != spec.roi_full:
@@ -59,6 +63,8 @@ def read_layer(
     pixels = np.ascontiguousarray(_upright(pixels, spec.get_int_attribute("Orientation")))
     if depth == "float":
         _check_finite(path, pixels)
+    elif is_straight and not straight and layer.alpha_channel is not None:
+        pixels = multiplied_by_alpha(pixels)
     return pixels
 
 

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from stylit_ref.arrays import as_array
 from stylit_ref.errors import InputError
+from stylit_ref.files.alpha import STORED_STRAIGHT, divided_by_alpha
 from stylit_ref.files.bit_depth import Curve, to_linear, to_uint8
 from stylit_ref.files.colour_profile import (
     ColourProfile,
@@ -171,16 +172,10 @@ def _as_stored(image, path, curve):
         if file_format == "webp":
             # OpenImageIO would divide by alpha with a loss, even where it is opaque.
             spec.attribute("oiio:UnassociatedAlpha", 1)
-            image = _divided_by_alpha(to_uint8(image))
+            image = divided_by_alpha(to_uint8(image))
+        elif file_format in STORED_STRAIGHT:
+            image = divided_by_alpha(image)
     return image, spec
-
-
-def _divided_by_alpha(image):
-    """Integer colours as they are without the alpha that they are premultiplied by."""
-    colours, alpha = image[:, :, :-1].astype(np.uint64), image[:, :, -1:].astype(np.uint64)
-    largest = np.iinfo(image.dtype).max
-    straight = np.minimum((colours * largest + alpha // 2) // np.maximum(alpha, 1), largest)
-    return np.concatenate([straight, alpha], axis=2).astype(image.dtype)
 
 
 def _reads_back(file, shape):

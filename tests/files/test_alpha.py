@@ -1,0 +1,48 @@
+"""Colours and alpha, by another library's files and eyes."""
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from stylit_ref import read_image, write_image
+from stylit_ref.files.alpha import divided_by_alpha, multiplied_by_alpha
+
+STRAIGHT = np.array([200, 100, 50, 128], np.uint8)
+MULTIPLIED = np.array([100, 50, 25, 128], np.uint8)
+
+
+@pytest.mark.parametrize("suffix", ["png", "tif", "tga", "bmp", "ico", "webp", "dds", "sgi", "jp2"])
+def test_colours_are_multiplied_by_alpha_whoever_wrote_the_file(tmp_path, suffix):
+    options = {"webp": {"lossless": True}, "ico": {"sizes": [(6, 4)]}}.get(suffix, {})
+    file = tmp_path / f"half.{suffix}"
+    Image.fromarray(np.broadcast_to(STRAIGHT, (4, 6, 4)).copy()).save(file, **options)
+    np.testing.assert_array_equal(read_image(file), np.broadcast_to(MULTIPLIED, (4, 6, 4)))
+
+
+@pytest.mark.parametrize("suffix", ["png", "tif", "tga", "ico", "webp", "sgi"])
+def test_others_see_the_colours_without_alpha(tmp_path, suffix):
+    file = tmp_path / f"half.{suffix}"
+    write_image(file, np.broadcast_to(MULTIPLIED, (4, 6, 4)))
+    seen = np.asarray(Image.open(file).convert("RGBA"))[0, 0].astype(int)
+    assert seen[3] == 128
+    assert np.abs(seen - STRAIGHT).max() <= 2  # 8 bits of a half hold no more
+
+
+@pytest.mark.parametrize("suffix", ["png", "tif", "bmp", "ico", "webp", "sgi"])
+def test_what_was_written_comes_back(tmp_path, suffix):
+    random = np.random.default_rng(0)
+    image = multiplied_by_alpha(random.integers(0, 256, (9, 8, 4), np.uint8))
+    write_image(tmp_path / f"soft.{suffix}", image)
+    np.testing.assert_array_equal(read_image(tmp_path / f"soft.{suffix}"), image)
+
+
+@pytest.mark.parametrize("dtype", [np.uint8, np.uint16])
+def test_division_undoes_multiplication_as_far_as_integers_go(dtype):
+    largest = np.iinfo(dtype).max
+    values = np.linspace(0, largest, 40).astype(dtype)
+    colours, alpha = np.meshgrid(values, values)
+    multiplied = multiplied_by_alpha(np.dstack([colours, alpha]))
+    exact = np.floor(colours.astype(float) * alpha / largest + 0.5)
+    np.testing.assert_array_equal(multiplied[:, :, 0], exact)
+    again = multiplied_by_alpha(divided_by_alpha(multiplied))
+    np.testing.assert_array_equal(again, multiplied)
