@@ -73,7 +73,7 @@ def make_parser() -> Parser:
         prog="stylit-ref",
         usage="%(prog)s COMMAND ...",
         description=_DESCRIPTION,
-        epilog="stylit-ref COMMAND --help tells the options of a command.",
+        epilog="stylit-ref COMMAND --help shows the options of a command.",
     )
     parser.add_argument("--version", action="version", version=f"stylit-ref {__version__}")
     commands = parser.add_subparsers(

@@ -50,7 +50,7 @@ def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
         help="how many times larger the style is (default: what the sizes say; 1 if the file does "
         "not say its style's)",
     )  # fmt: skip
-    parser.add_argument("--quiet", action="store_true", help="say nothing but what is wrong")
+    parser.add_argument("--quiet", action="store_true", help="print warnings and errors only")
 
 
 def run(options: argparse.Namespace) -> None:

@@ -54,10 +54,9 @@ def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
     add_mask_options(everyday)
     everyday.add_argument(
         "--seed", type=int, default=0, metavar="N",
-        help="another number gives another variant, the same one the same bytes "
-        "(default %(default)s)",
+        help="another seed gives a variant, the same seed the same bytes (default %(default)s)",
     )  # fmt: skip
-    everyday.add_argument("--quiet", action="store_true", help="say nothing but what is wrong")
+    everyday.add_argument("--quiet", action="store_true", help="print warnings and errors only")
 
     add_parameters(parser.add_argument_group("the method in detail"), without=_EVERYDAY)
     add_other_outputs(parser.add_argument_group("other files to write"))
@@ -70,7 +69,7 @@ def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
     )  # fmt: skip
     machine.add_argument(
         "--verbose", action="store_true",
-        help="tell the energy φ = δ + λρ beside the progress",
+        help="show the energy φ = δ + λρ beside the progress",
     )  # fmt: skip
     machine.add_argument("--profile", action="store_true", help="print where the time went")
 

@@ -39,7 +39,7 @@ def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
         "--style-channels", type=parsed(STYLE_CHANNELS), default=3, metavar="N",
         help="channels of the painting (default %(default)s)",
     )  # fmt: skip
-    parser.add_argument("--quiet", action="store_true", help="say nothing but what is wrong")
+    parser.add_argument("--quiet", action="store_true", help="print warnings and errors only")
 
 
 def run(options: argparse.Namespace) -> None:
