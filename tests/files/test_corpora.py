@@ -1,7 +1,7 @@
 """Every file under a folder of public images is read, or refused in one sentence.
 
-``STYLIT_CORPORA`` names the folder: for instance openexr-images, OpenImageIO-images and the tests of
-image-rs, damaged files among them.
+``STYLIT_CORPORA`` names the folder, for instance of openexr-images, OpenImageIO-images and the tests
+of image-rs. Damaged files are among them.
 """
 
 import os
