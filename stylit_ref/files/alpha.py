@@ -3,9 +3,12 @@
 import numpy as np
 from numpy.typing import NDArray
 
-STORED_STRAIGHT = ("bmp", "dds", "gif", "ico", "sgi")
-"""Formats whose colours are not multiplied by alpha, and which OpenImageIO reads and writes as they
-are; of others it multiplies and divides the colours itself."""
+OURS_TO_MULTIPLY = ("bmp", "dds", "gif", "ico", "jpeg2000", "sgi", "targa")
+"""Formats whose files hold colours without alpha, and for which OpenImageIO does not multiply them,
+or does so by a power of alpha (JPEG 2000), or cuts off fractions (Targa)."""
+
+OURS_TO_DIVIDE = (*OURS_TO_MULTIPLY, "webp")
+"""The same when it writes."""
 
 
 def multiplied_by_alpha(

@@ -7,7 +7,7 @@ import OpenImageIO as oiio
 from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
-from stylit_ref.files.alpha import STORED_STRAIGHT, multiplied_by_alpha
+from stylit_ref.files.alpha import OURS_TO_MULTIPLY, multiplied_by_alpha
 from stylit_ref.files.image_file import check_size, open_image, read_pixels, reason_of
 from stylit_ref.files.layers import Layer
 from stylit_ref.files.oddities import note_oddities
@@ -42,7 +42,8 @@ def read_layer(
         If it cannot be read, is too large, or holds NaN or infinity.
     """
     source = open_image(file, straight=straight)
-    if source.format_name() == "jpeg2000":  # OpenImageIO multiplies these by a power of alpha
+    is_straight = source.format_name() in OURS_TO_MULTIPLY
+    if is_straight:
         source = open_image(file, straight=True)
     source.seek_subimage(layer.part, 0)
     spec = source.spec()
@@ -55,7 +56,8 @@ def read_layer(
     pixels = read_pixels(source, layer.part, layer.numbers, depth)
     if pixels is None:
         raise InputError(f"{file}: cannot be read: {reason_of(source.geterror)}")
-    is_straight = source.format_name() in (*STORED_STRAIGHT, "jpeg2000")
+    if source.format_name() == "targa":  # the one that can also hold them multiplied
+        is_straight = spec.get_int_attribute("oiio:UnassociatedAlpha") == 1
     source.close()
     note_oddities(path, file, spec, layer)
     if spec.roi != spec.roi_full:

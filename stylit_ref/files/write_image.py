@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from stylit_ref.arrays import as_array
 from stylit_ref.errors import InputError
-from stylit_ref.files.alpha import STORED_STRAIGHT, divided_by_alpha
+from stylit_ref.files.alpha import OURS_TO_DIVIDE, divided_by_alpha
 from stylit_ref.files.bit_depth import Curve, to_linear, to_uint8
 from stylit_ref.files.colour_profile import (
     ColourProfile,
@@ -169,12 +169,9 @@ def _as_stored(image, path, curve):
     if alpha_channel is not None:
         spec.alpha_channel = alpha_channel
         spec.channelnames = ("Y", "A") if channels == 2 else ("R", "G", "B", "A")
-        if file_format == "webp":
-            # OpenImageIO would divide by alpha with a loss, even where it is opaque.
+        if file_format in OURS_TO_DIVIDE:
             spec.attribute("oiio:UnassociatedAlpha", 1)
-            image = divided_by_alpha(to_uint8(image))
-        elif file_format in STORED_STRAIGHT:
-            image = divided_by_alpha(image)
+            image = divided_by_alpha(to_uint8(image) if file_format == "webp" else image)
     return image, spec
 
 
