@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
 from stylit_ref.files.alpha import OURS_TO_MULTIPLY, multiplied_by_alpha
+from stylit_ref.files.bmp_header import BLUE_FIRST, channel_masks
 from stylit_ref.files.image_file import check_size, open_image, read_pixels, reason_of
 from stylit_ref.files.layers import Layer
 from stylit_ref.files.oddities import note_oddities
@@ -56,6 +57,11 @@ def read_layer(
     pixels = read_pixels(source, layer.part, layer.numbers, depth)
     if pixels is None:
         raise InputError(f"{file}: cannot be read: {reason_of(source.geterror)}")
+    masks = channel_masks(file) if source.format_name() == "bmp" else None
+    if masks and masks[:3] != BLUE_FIRST:
+        raise InputError(f"{path}: stores its channels in an unusual order; save it as .png")
+    if masks and not masks[3] and layer.alpha_channel is not None:
+        pixels[:, :, layer.alpha_channel] = 255  # a byte that means nothing
     if source.format_name() == "targa":  # the one that can also hold them multiplied
         is_straight = spec.get_int_attribute("oiio:UnassociatedAlpha") == 1
     source.close()

@@ -1,10 +1,12 @@
 """Colours and alpha, by another library's files and eyes."""
 
+import struct
+
 import numpy as np
 import pytest
 from PIL import Image
 
-from stylit_ref import read_image, write_image
+from stylit_ref import InputError, read_image, write_image
 from stylit_ref.files.alpha import divided_by_alpha, multiplied_by_alpha
 
 STRAIGHT = np.array([200, 100, 50, 128], np.uint8)
@@ -46,3 +48,28 @@ def test_division_undoes_multiplication_as_far_as_integers_go(dtype):
     np.testing.assert_array_equal(multiplied[:, :, 0], exact)
     again = multiplied_by_alpha(divided_by_alpha(multiplied))
     np.testing.assert_array_equal(again, multiplied)
+
+
+def bitmap(masks):
+    """A BMP file of 2x2 pixels of 32 bits, the bytes of each 50, 100, 200, 128."""
+    header = struct.pack("<IiiHHIIiiII4I", 56, 2, 2, 1, 32, 3, 16, 2835, 2835, 0, 0, *masks)
+    pixels = bytes([50, 100, 200, 128] * 4)
+    return struct.pack("<2sIHHI", b"BM", 14 + 56 + 16, 0, 0, 14 + 56) + header + pixels
+
+
+def test_a_bitmap_without_alpha_has_none(tmp_path):
+    (tmp_path / "x.bmp").write_bytes(bitmap((0xFF0000, 0xFF00, 0xFF, 0)))
+    np.testing.assert_array_equal(
+        read_image(tmp_path / "x.bmp"), np.full((2, 2, 3), [200, 100, 50])
+    )
+
+
+def test_a_bitmap_with_alpha_has_it(tmp_path):
+    (tmp_path / "a.bmp").write_bytes(bitmap((0xFF0000, 0xFF00, 0xFF, 0xFF000000)))
+    np.testing.assert_array_equal(read_image(tmp_path / "a.bmp"), np.full((2, 2, 4), MULTIPLIED))
+
+
+def test_a_bitmap_in_another_order_is_refused(tmp_path):
+    (tmp_path / "r.bmp").write_bytes(bitmap((0xFF000000, 0xFF0000, 0xFF00, 0xFF)))
+    with pytest.raises(InputError, match=r"r\.bmp: stores its channels in an unusual order"):
+        read_image(tmp_path / "r.bmp")
