@@ -14,6 +14,9 @@ from stylit_ref.errors import InputError
 from stylit_ref.files.bit_depth import to_uint8_by_rows
 from stylit_ref.files.picture import Picture
 
+_WITH_RANGE = "light", "data"
+_LARGEST = float(np.finfo(np.float32).max)
+
 FAR = 1e10
 """Depth of a pixel where nothing is, as Blender writes it; in half floats it is infinity."""
 
@@ -40,12 +43,14 @@ class GuideEncoding:
 
     def __post_init__(self) -> None:
         numbers = [label for label, _ in self.labels]
-        has_range = self.kind in ("light", "data") and self.low < self.high and not numbers
-        has_labels = self.kind == "labels" and numbers and numbers == sorted(set(numbers))
-        if not has_range and not has_labels:
+        levels = [level for _, colour in self.labels for level in colour]
+        has_range = -_LARGEST <= self.low < self.high <= _LARGEST and not numbers
+        has_labels = numbers and numbers == sorted(set(numbers)) and numbers[0] >= -(2**31)
+        has_labels = has_labels and numbers[-1] < 2**32 and 0 <= min(levels) <= max(levels) <= 255
+        if not (has_labels if self.kind == "labels" else has_range and self.kind in _WITH_RANGE):
             raise InputError(
-                f"is {self!r}; it must be light or data with low less than high, or labels in "
-                "ascending order",
+                f"is {self!r}; it must be light or data with low less than high, or labels of "
+                "at most 32 bits in ascending order",
                 parameter="guide_encoding",
             )
 

@@ -4,6 +4,7 @@ import logging
 from collections import defaultdict
 from collections.abc import Sequence
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,6 +23,18 @@ _TRANSPARENT = (
 
 _VISIBLE = 16
 """A difference of channels that is colour, not noise."""
+
+
+_SHOWN = 8
+"""As many of a kind are named."""
+
+
+class _Side(NamedTuple):
+    """A guide of the source or of a target: its file, what was read, and that in 8 bits."""
+
+    path: str | Path
+    picture: Picture
+    guide: NDArray[np.uint8]
 
 
 class GuideRemarks:
@@ -51,35 +64,36 @@ class GuideRemarks:
         """
         if not encoding.is_plain:
             self._encoded[f"{pictures[0].name} {_done_by(encoding)}"] = None
-        for path, picture, guide in zip(paths, pictures, encoded, strict=True):
-            self._add_side(path, picture, guide, encoding)
-        for path, picture, guide in list(zip(paths, pictures, encoded, strict=True))[1:]:
+        source, *targets = map(_Side._make, zip(paths, pictures, encoded, strict=True))
+        for side in (source, *targets):
+            self._add_side(side, encoding)
+        for target in targets:
             if encoding.kind == "labels":
-                self._add_labels(pictures[0], picture)
-                continue
-            sides = (paths[0], pictures[0], encoded[0]), (path, picture, guide)
-            for (one, one_picture, one_guide), (other, other_picture, other_guide) in (
-                sides,
-                sides[::-1],
-            ):
-                if one_picture.alpha_channel is not None and other_picture.alpha_channel is None:
-                    said = f"{one} is transparent in parts and {other} nowhere"
-                    self._found[_TRANSPARENT][said] = None
-                is_light = one_picture.is_light and other_picture.is_light
-                if is_light and _colourful(one_guide) > 0.05 and _colourful(other_guide) == 0:
-                    self._found[_GREY][f"{one} has colours and {other} is grey"] = None
+                self._add_labels(source.picture, target.picture)
+            else:
+                self._add_difference(source, target)
+                self._add_difference(target, source)
 
-    def _add_side(self, path, picture, guide, encoding):
-        if (guide == guide[:1, :1]).all():
-            low, high = float(picture.pixels.min()), float(picture.pixels.max())
+    def _add_side(self, side, encoding):
+        pixels, is_float = side.picture.pixels, side.picture.pixels.dtype == np.float32
+        if (side.guide == side.guide[:1, :1]).all():
+            low, high = pixels.min(), pixels.max()
             lost = f" ({low:.3g} to {high:.3g} are clipped, or one step of 256)"
-            is_lost = picture.pixels.dtype == np.float32 and low < high
-            said = f"{path} has one value all over{lost if is_lost else ''}"
+            said = f"{side.path} has one value all over{lost if is_float and low < high else ''}"
             self._found[_CONSTANT][said] = None
-        elif picture.pixels.dtype == np.float32 and encoding.kind != "labels":
-            clipped = _clipped(picture, encoding)
+        elif is_float and encoding.kind != "labels":
+            clipped = _clipped(side.picture, encoding)
             if clipped > 0.05:
-                self._found[_CLIPPED][f"{clipped:.0%} of {path}"] = None
+                self._found[_CLIPPED][f"{clipped:.0%} of {side.path}"] = None
+
+    def _add_difference(self, one, other):
+        """What one side has and the other has not."""
+        if one.picture.alpha_channel is not None and other.picture.alpha_channel is None:
+            said = f"{one.path} is transparent in parts and {other.path} nowhere"
+            self._found[_TRANSPARENT][said] = None
+        is_light = one.picture.is_light and other.picture.is_light
+        if is_light and _colourful(one.guide) > 0.05 and _colourful(other.guide) == 0:
+            self._found[_GREY][f"{one.path} has colours and {other.path} is grey"] = None
 
     def _add_labels(self, source, target):
         labels = [np.unique(labels_of(picture)) for picture in (source, target)]
@@ -90,8 +104,7 @@ class GuideRemarks:
         ):
             names = [label_name(picture, label) for label in np.setdiff1d(mine, others)]
             if names:
-                more = f" and {len(names) - 8} more" if len(names) > 8 else ""
-                alone.append(f"only the {side} has {', '.join(names[:8])}{more}")
+                alone.append(f"only the {side} has {_listed(names)}")
         if alone:
             self._found[_LABELS][f"of the labels of {source.name} {' and '.join(alone)}"] = None
 
@@ -108,14 +121,16 @@ class GuideRemarks:
 
 
 def _listed(sentences):
-    return ", ".join(sentences)
+    named = list(sentences)
+    more = f" and {len(named) - _SHOWN} more" if len(named) > _SHOWN else ""
+    return f"{', '.join(named[:_SHOWN])}{more}"
 
 
 def _done_by(encoding):
     if encoding.kind == "labels":
         return f"as {len(encoding.labels)} labels with a colour each"
     if encoding.kind == "light":
-        return f"at {1 / encoding.high:.2g} of its light"
+        return f"at {1 / encoding.high:.2g} of its brightness"
     return f"from {encoding.low:.4g} to {encoding.high:.4g}"
 
 

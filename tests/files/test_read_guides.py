@@ -185,9 +185,9 @@ class TestNotes:
         files = [pair(tmp_path, channels, channels, layer) for layer in layers]
         read_guides(files)
         assert said(tmp_path) == [
-            "guide_encoding shows source and target alike: Combined at 0.25 of its light, Depth "
-            "from 1 to 10, Object Index as 3 labels with a colour each; with none, values outside "
-            "[0, 1] are clipped"
+            "guide_encoding shows source and target alike: Combined at 0.25 of its brightness, "
+            "Depth from 1 to 10, Object Index as 3 labels with a colour each; with none, values "
+            "outside [0, 1] are clipped"
         ]
 
     def test_integers_are_no_news(self, tmp_path, image, said):
@@ -215,6 +215,13 @@ class TestNotes:
             "of the labels of id only the source has 1 and only the target has 3, 4: give what "
             "corresponds the same index or name in both scenes"
         ]
+
+    def test_of_many_the_first_are_named(self, tmp_path, said):
+        layers = [f"L{k:02}" for k in range(10)]
+        channels = {f"{layer}.R": RAMP * 4 for layer in layers}
+        read_guides([pair(tmp_path, channels, channels, layer) for layer in layers])
+        (note,) = said(tmp_path)
+        assert "L07 at 0.25 of its brightness and 2 more; with none" in note
 
     def test_transparent_on_one_side(self, tmp_path, image, said):
         alpha = np.tile([0, 255], (6, 4)).astype(np.uint8)
