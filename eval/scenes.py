@@ -10,7 +10,7 @@ import numpy as np
 from data_gen.guides import LIGHT_PASSES
 from data_gen.manifest import DataError, Manifest
 from stylit_ref import InputError, read_uint8
-from stylit_ref.files.read_image import read_guides
+from stylit_ref.files.read_guides import read_guides
 
 BUNDLED = Path(__file__).parents[1] / "data_gen" / "bundled"
 DEFAULT = "golem/crayon"
@@ -143,14 +143,14 @@ def _from_folder(folder, step):
         raise InputError(f"{folder}: the guide '{alone}' lacks its {missing} image")
     guides = tuple(sorted(sources))
 
-    pairs = [read_guides(files[f"source_{name}"], files[f"target_{name}"]) for name in guides]
+    read = read_guides([(files[f"source_{name}"], files[f"target_{name}"]) for name in guides])
     return Scene(
         folder.resolve().name,
         folder,
         guides,
         _every(step, read_uint8(files["source_style"])),
-        tuple(_every(step, source) for source, _ in pairs),
-        tuple(_every(step, target) for _, target in pairs),
+        tuple(_every(step, source) for source in read.source),
+        tuple(_every(step, target) for target in read.targets[0]),
         step,
     )
 

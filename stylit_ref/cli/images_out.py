@@ -76,8 +76,14 @@ class Outputs(NamedTuple):
     def write(self, result: Result) -> None:
         """Write all that is left to write once a run is done."""
         height, width = self.images.style.shape[:2]
-        outliers, mask = self.params.vote_outliers, self.images.mask
-        field = Field(result.nnf, self.params.patch_width, outliers, (height, width), mask)
+        field = Field(
+            result.nnf,
+            self.params.patch_width,
+            self.params.vote_outliers,
+            (height, width),
+            self.images.mask,
+            self.images.guide_encodings,
+        )
         image = result.image
         if self.deep:
             image = replay(field, self.deep.style, fill=self.deep.fill)

@@ -13,7 +13,8 @@ from stylit_ref.files.layers import Contents, Layer, contents_of
 _DESCRIPTION = """\
 List the layers of an image file as the other commands call them, their channels, and what each can
 serve as. A picture goes through the sRGB curve where it is floating point, data does not. What has
-one channel can also be a mask. A Cryptomatte has a matte for each name. For instance:
+one channel can also be a mask. A Cryptomatte has a matte for each name, and without a name it is a
+guide of labels. For instance:
 
   stylit-ref layers scene.exr"""
 

@@ -5,6 +5,7 @@ from collections.abc import Callable, Collection
 from dataclasses import fields
 from typing import Any
 
+from stylit_ref.cli.guide_options import guide_weights
 from stylit_ref.cli.methods import OFFERS, offer_of
 from stylit_ref.errors import InputError
 from stylit_ref.stylization.params import Params
@@ -134,8 +135,6 @@ def chosen_params(options: argparse.Namespace) -> Params:
             )
         values = offer.presets[options.preset] | values
     if "guide" in options:
-        values["guide_weights"] = tuple(
-            options.guide_weights.get(k, 1.0) for k in range(len(options.guide))
-        )
+        values["guide_weights"] = guide_weights(options)
     names = {each.name for each in fields(offer.params)}
     return offer.params(**{name: value for name, value in values.items() if name in names})

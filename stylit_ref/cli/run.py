@@ -6,6 +6,7 @@ import sys
 from time import perf_counter
 
 from stylit_ref.cli.finished import tell_finished
+from stylit_ref.cli.guide_options import add_encoding_option
 from stylit_ref.cli.images_in import add_input_options, add_mask_options, read_images
 from stylit_ref.cli.images_out import (
     add_other_outputs,
@@ -30,6 +31,12 @@ picture of another scene follows. For instance, a preview:
       --guide sphere_full.png scene_full.png --guide sphere_shadow.png scene_shadow.png \\
       --output stylized.png
 
+Or from two EXR files of Blender:
+
+  stylit-ref run --preset fast --style painted_sphere.png \
+      --guide sphere.exr scene.exr --guide-layers Combined,DiffDir,IndexOB \
+      --output stylized.png
+
 Images may be PNG, TIFF, JPEG, EXR and others; FILE.exr:LAYER names a layer of an EXR file."""
 
 _EVERYDAY = ("uniformity",)
@@ -51,6 +58,7 @@ def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
     add_preset(everyday)
     add_method(everyday)
     add_parameters(everyday, _EVERYDAY)
+    add_encoding_option(everyday)
     add_mask_options(everyday)
     everyday.add_argument(
         "--seed", type=int, default=0, metavar="N",

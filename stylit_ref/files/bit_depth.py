@@ -75,6 +75,13 @@ def to_uint8(
     return _rounded(shown, 255).astype(np.uint8)
 
 
+def to_uint8_by_rows(
+    image: NDArray[np.uint8 | np.uint16 | np.floating], alpha_channel: int | None, curve: Curve
+) -> NDArray[np.uint8]:
+    """As :func:`to_uint8`, row by row, since a conversion takes much memory."""
+    return np.stack([to_uint8(row, alpha_channel, curve=curve) for row in image])
+
+
 def to_depth(
     image: NDArray[np.uint8 | np.uint16 | np.float32], dtype: np.dtype
 ) -> NDArray[np.uint8 | np.uint16 | np.float32]:

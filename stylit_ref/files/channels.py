@@ -78,8 +78,12 @@ def choose(roles: Sequence[str]) -> tuple[list[int], bool]:
 
 def is_data(layer: str) -> bool:
     """Whether the name of a layer says that it is no light: depth, normals, IDs, masks, ..."""
-    words = _WORD.findall(layer.rpartition(".")[2])
-    return any(word.lower() in _DATA for word in words)
+    return not _DATA.isdisjoint(words_of(layer.rpartition(".")[2]))
+
+
+def words_of(name: str) -> set[str]:
+    """The words of a name in small letters: ``Object Index``, ``objectIndex``, ``OBJECT_INDEX``."""
+    return {word.lower() for word in _WORD.findall(name)}
 
 
 def _role(channel):

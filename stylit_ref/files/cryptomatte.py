@@ -116,6 +116,42 @@ def find_matte(
     return cryptomatte, name
 
 
+def find_cryptomatte(typed: str | None, cryptomattes: list[Cryptomatte]) -> Cryptomatte | None:
+    """The only one that a name without an object fits: ``CryptoObject`` or ``CryptoObject00``."""
+    name = typed or ""
+    found = fitting(name, cryptomattes) or fitting(_RANK.sub("", name), cryptomattes)
+    return found[0] if len(found) == 1 else None
+
+
+def read_labels(path: str | Path, file: Path, cryptomatte: Cryptomatte) -> NDArray[np.uint32]:
+    """Read which object covers most of every pixel.
+
+    Parameters
+    ----------
+    path : str or Path
+        The file and Cryptomatte as the user wrote them.
+    file : Path
+    cryptomatte : Cryptomatte
+        Of that file.
+
+    Returns
+    -------
+    (H, W, 1) uint32
+        The object's ID, 0 where what no object covers is more.
+
+    Raises
+    ------
+    InputError
+        If the layers cannot be read.
+    """
+    pairs = [_pairs(read_layer(path, file, layer)) for layer in cryptomatte.ranks]
+    ids, covered = (np.concatenate(part, axis=2) for part in zip(*pairs, strict=True))
+    most = covered.argmax(axis=2)[:, :, np.newaxis]
+    rest = 1 - covered.sum(axis=2, keepdims=True)
+    label = np.take_along_axis(ids, most, axis=2)
+    return np.where(np.take_along_axis(covered, most, axis=2) >= rest, label, np.uint32(0))
+
+
 def read_matte(
     path: str | Path, file: Path, cryptomatte: Cryptomatte, name: str
 ) -> NDArray[np.float32]:
@@ -144,10 +180,9 @@ def read_matte(
     wanted = (cryptomatte.manifest or {}).get(name, id_of(name))
     covered, is_there = 0.0, False
     for layer in cryptomatte.ranks:
-        pairs = read_layer(path, file, layer)
-        ids = np.ascontiguousarray(pairs[:, :, 0::2]).view(np.uint32)[:, :, : pairs.shape[2] // 2]
+        ids, shares = _pairs(read_layer(path, file, layer))
         mine = ids == wanted
-        covered += np.where(mine, pairs[:, :, 1::2], 0).sum(axis=2, keepdims=True)
+        covered += np.where(mine, shares, 0).sum(axis=2, keepdims=True)
         is_there |= mine.any()
     if not is_there:
         if not cryptomatte.manifest:
@@ -175,6 +210,13 @@ def id_of(name: str) -> int:
     exponent = hashed >> 23 & 255
     # These bits would be a denormal number, an infinity or no number.
     return hashed ^ (1 << 23) if exponent in (0, 255) else hashed
+
+
+def _pairs(pixels):
+    """IDs and coverages of a rank."""
+    shares = pixels[:, :, 1::2]
+    ids = np.ascontiguousarray(pixels[:, :, 0::2]).view(np.uint32)
+    return ids[:, :, : shares.shape[2]], shares
 
 
 def _manifest(text):

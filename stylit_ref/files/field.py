@@ -1,9 +1,13 @@
 """A nearest-neighbour field and the run it comes from."""
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from stylit_ref.files.guide_encoding import GuideEncoding
 
 
 @dataclass(frozen=True, eq=False)
@@ -22,6 +26,9 @@ class Field:
         Height and width of the run's style; None where they are not known.
     mask : (H_B, W_B) bool or None
         True where the run left the target alone; None without a mask, or where it is not known.
+    guide_encodings : tuple of GuideEncoding
+        How the run's guides became 8 bits, from :func:`stylit_ref.read_guides`; empty where that is
+        not known.
     """
 
     nnf: NDArray[np.int32]
@@ -29,3 +36,4 @@ class Field:
     vote_outliers: int = 0
     style_size: tuple[int, int] | None = None
     mask: NDArray[np.bool_] | None = None
+    guide_encodings: tuple["GuideEncoding", ...] = ()

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Protocol, TypeVar
 
 from stylit_ref.errors import InputError
+from stylit_ref.files.blender_names import other_name
 from stylit_ref.files.layers import Contents, Layer
 from stylit_ref.files.output_file import real_path
 
@@ -117,7 +118,10 @@ def find_layer(file: Path, name: str | None, contents: Contents) -> Layer:
     if not name:
         return _unnamed(file, contents)
     channels = [channel for layer in contents.layers for channel in layer.channels]
-    found = fitting(name, contents.layers) or fitting(name, channels)
+    other = other_name(name) or name
+    found = (
+        fitting(name, contents.layers) or fitting(other, contents.layers) or fitting(name, channels)
+    )
     if len(found) == 1:
         return found[0]
     if found:

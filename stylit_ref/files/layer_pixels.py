@@ -19,8 +19,13 @@ _DEPTHS = {"uint8": "uint8", "uint16": "uint16"} | dict.fromkeys(
 
 
 def read_layer(
-    path: str | Path, file: Path, layer: Layer, *, straight: bool = False
-) -> NDArray[np.uint8 | np.uint16 | np.float32]:
+    path: str | Path,
+    file: Path,
+    layer: Layer,
+    *,
+    straight: bool = False,
+    is_guide: bool = False,
+) -> NDArray[np.uint8 | np.uint16 | np.uint32 | np.float32]:
     """Read the pixels of a layer, upright and in the display window.
 
     Parameters
@@ -31,10 +36,13 @@ def read_layer(
     layer : Layer
     straight : bool
         As of :func:`~stylit_ref.files.image_file.open_image`.
+    is_guide : bool
+        Whether data may be infinite, as the depth of a pixel where nothing is, and a channel of
+        32-bit integers is read as labels.
 
     Returns
     -------
-    (H, W, n) uint8, uint16 or float32
+    (H, W, n) uint8, uint16 or float32, or labels uint32
         Pixels outside the data window are 0.
 
     Raises
@@ -53,7 +61,8 @@ def read_layer(
             f"{path}: holds deep pixels; flatten it first: oiiotool {file} --flatten -o flat.exr"
         )
     check_size(file, spec, len(layer.numbers))
-    depth = _depth(path, spec, layer)
+    is_data_of_guide = is_guide and not layer.is_light
+    depth = _depth(path, spec, layer, is_data_of_guide)
     pixels = read_pixels(source, layer.part, layer.numbers, depth)
     if pixels is None:
         raise InputError(f"{file}: cannot be read: {reason_of(source.geterror)}")
@@ -70,15 +79,17 @@ def read_layer(
         pixels = _in_display_window(pixels, spec)
     pixels = np.ascontiguousarray(_upright(pixels, spec.get_int_attribute("Orientation")))
     if depth == "float":
-        _check_finite(path, pixels)
+        _check_values(path, pixels, is_data_of_guide)
     elif is_straight and not straight and layer.alpha_channel is not None:
         pixels = multiplied_by_alpha(pixels)
     return pixels
 
 
-def _depth(path, spec: oiio.ImageSpec, layer):
+def _depth(path, spec: oiio.ImageSpec, layer, may_be_labels):
     """The type in which the values are read."""
     stored = {str(spec.channelformat(number)) for number in layer.numbers}
+    if may_be_labels and len(layer.numbers) == 1 and stored == {"uint"}:
+        return "uint"
     if not stored <= _DEPTHS.keys():
         raise InputError(
             f"{path}: holds {', '.join(sorted(stored))} values; save it with 8-bit or 16-bit "
@@ -87,8 +98,10 @@ def _depth(path, spec: oiio.ImageSpec, layer):
     return _DEPTHS[stored.pop()] if len(stored) == 1 else "float"
 
 
-def _check_finite(path, pixels):
+def _check_values(path, pixels, may_be_far):
     broken = ~np.isfinite(pixels)
+    if may_be_far:
+        broken &= pixels != np.inf
     if broken.any():
         y, x, _ = np.argwhere(broken)[0]
         raise InputError(

@@ -4,7 +4,7 @@ A ``.npy`` file may hold several arrays one after the other; ``numpy.load`` read
 
 1. the first is the field, (H_B, W_B, 2) int32;
 2. the second is a text, JSON with the facts of the run: ``patch_width``, ``vote_outliers``,
-   ``style_size`` (height and width) and ``has_mask``;
+   ``style_size`` (height and width), ``has_mask`` and ``guide_encodings``;
 3. the third, if ``has_mask`` is true, is the mask, (H_B, W_B) bool.
 
 Files with the first alone are read too: earlier versions wrote them, and ``numpy.save`` does.
@@ -18,6 +18,7 @@ import numpy as np
 
 from stylit_ref.errors import InputError
 from stylit_ref.files.field import Field
+from stylit_ref.files.guide_encoding import GuideEncoding
 from stylit_ref.files.output_file import check_regular, check_writable, real_path, whole_file
 
 
@@ -85,6 +86,7 @@ def write_nnf(path: str | Path, field: Field) -> None:
         "vote_outliers": field.vote_outliers,
         "style_size": field.style_size,
         "has_mask": field.mask is not None,
+        "guide_encodings": [encoding.to_dict() for encoding in field.guide_encodings],
     }
     arrays = [field.nnf, np.array(json.dumps(facts, default=int))]
     if field.mask is not None:
@@ -105,4 +107,5 @@ def _with_its_run(nnf, rest):
     mask = np.lib.format.read_array(rest) if facts["has_mask"] else None
     if mask is not None and (mask.dtype != bool or mask.shape != nnf.shape[:2]):
         raise ValueError(f"its mask is {mask.dtype} of shape {mask.shape}")
-    return Field(nnf, width, outliers, None if size is None else tuple(size), mask)
+    encodings = tuple(map(GuideEncoding.from_dict, facts["guide_encodings"]))
+    return Field(nnf, width, outliers, None if size is None else tuple(size), mask, encodings)

@@ -1,5 +1,6 @@
 """From images to a run that is checked and can begin."""
 
+import logging
 from collections.abc import Sequence
 
 import numpy as np
@@ -8,6 +9,7 @@ from numpy.typing import NDArray
 from stylit_ref.arrays import as_array
 from stylit_ref.errors import InputError
 from stylit_ref.metric.packing import make_packing
+from stylit_ref.notes import note
 from stylit_ref.stylization.backends import CPU, Backend
 from stylit_ref.stylization.checks import (
     as_image,
@@ -61,6 +63,12 @@ def make_exemplar(
         raise InputError(
             f"holds {len(weights)} weights for {len(sources)} guides; each guide needs one",
             parameter="guide_weights",
+        )
+    if not any(weights):
+        note(
+            "is 0 for every guide, so the guides guide nothing",
+            parameter="guide_weights",
+            level=logging.WARNING,
         )
     sizes = [guide.shape[2] for guide in sources]
     packing = make_packing(sizes, style.shape[2], params.guide_influence, weights)

@@ -20,6 +20,7 @@ from itertools import pairwise
 from pathlib import Path
 from typing import NamedTuple
 
+import numpy as np
 import pytest
 from exr_files import write_exr
 from markdown_it import MarkdownIt
@@ -114,6 +115,7 @@ def passes_of_blender(scratch):
         channels |= {f"ViewLayer.DiffCol.{c}": 0.5 for c in "RGB"}
         ids = small(f"{scene}/IDMASK.png") / 255
         channels |= {f"ViewLayer.ID.{c}": ids[..., k] for k, c in enumerate("RGB")}
+        channels["ViewLayer.IndexOB.X"] = np.round(ids @ (1, 2, 4))
         write_exr(scratch / f"{file}.exr", channels, ids.shape[:2])
     imsave(scratch / "painted.png", small("source/styles/oil.png"), check_contrast=False)
 

@@ -28,6 +28,28 @@ def test_layers_are_found_by_name(tmp_path):
         np.testing.assert_allclose(read_image(f"{file}{layer}")[2, 3], expected, atol=1e-3)
 
 
+@pytest.mark.parametrize(
+    ("typed", "there"),
+    [
+        ("DiffDir", "ViewLayer.Diffuse Direct"),
+        ("ViewLayer.DiffDir", "ViewLayer.Diffuse Direct"),
+        ("diffuse direct", "View Layer.DiffDir"),
+        ("Object Index", "RenderLayer.IndexOB"),
+        ("IndexMA", "ViewLayer.Material Index"),
+        ("Emission", "ViewLayer.Emit"),
+    ],
+)
+def test_blenders_short_and_long_names_are_the_same(tmp_path, typed, there):
+    file = write_exr(tmp_path / "a.exr", {f"{there}.R": 0.25, "ViewLayer.Combined.R": 0.5})
+    assert read_image(f"{file}:{typed}")[0, 0] == 0.25
+
+
+def test_a_layers_own_name_goes_before_that_of_another_version(tmp_path):
+    file = write_exr(tmp_path / "a.exr", {"V.AO.R": 0.25, "V.Ambient Occlusion.R": 0.5})
+    assert read_image(f"{file}:AO")[0, 0] == 0.25
+    assert read_image(f"{file}:Ambient Occlusion")[0, 0] == 0.5
+
+
 def test_layers_as_parts(tmp_path):
     file = write_parts(tmp_path / "a.exr", {"beauty": 0.25, "LDE": 0.5, "LSE": 0.75})
     assert read_image(f"{file}:LSE")[0, 0, 0] == 0.75

@@ -3,13 +3,18 @@
 import numpy as np
 import pytest
 
-from stylit_ref import Field, InputError, read_nnf, write_nnf
+from stylit_ref import Field, GuideEncoding, InputError, read_nnf, write_nnf
 from stylit_ref.files.nnf_file import check_nnf_writable
 
 NNF = np.random.default_rng(0).integers(-1, 99, (5, 7, 2), dtype=np.int32)
 MASK = np.random.default_rng(0).random((5, 7)) < 0.5
+ENCODINGS = (
+    GuideEncoding("light", high=2.5),
+    GuideEncoding("labels", labels=((1, (0, 0, 0)), (7, (255, 255, 255)))),
+)
 FIELDS = {
     "whole": Field(NNF, 7, 4, (456, 600), MASK),
+    "with encodings": Field(NNF, 5, 0, (456, 600), MASK, ENCODINGS),
     "without a mask": Field(NNF, 5, 0, (456, 600)),
     "of an unknown run": Field(NNF),
     "with the integers of NumPy": Field(NNF, np.int64(5), np.int64(1), (np.int32(4), np.int32(9))),
@@ -21,7 +26,7 @@ def test_a_field_comes_back_with_its_run(tmp_path, field):
     write_nnf(tmp_path / "nnf.npy", field)
     again = read_nnf(tmp_path / "nnf.npy")
     np.testing.assert_array_equal(again.nnf, NNF)
-    for name in ("patch_width", "vote_outliers", "style_size"):
+    for name in ("patch_width", "vote_outliers", "style_size", "guide_encodings"):
         assert getattr(again, name) == getattr(field, name)
     assert (again.mask is None) == (field.mask is None)
     if field.mask is not None:

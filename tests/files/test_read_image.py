@@ -9,7 +9,7 @@ import pytest
 from exr_files import write_exr
 
 from stylit_ref import InputError, read_image, read_uint8, write_image
-from stylit_ref.files.read_image import read_guides, read_mask
+from stylit_ref.files.read_image import read_mask
 
 
 def test_half_transparent_white_stays_white(tmp_path):
@@ -165,31 +165,6 @@ def test_clipping_is_said(tmp_path, caplog):
     read_uint8(file)
     said = f"{file}: 33% of the values lie outside [0, 1] and are clipped"
     assert caplog.record_tuples == [("stylit_ref", logging.WARNING, said)]
-
-
-class TestGuides:
-    def read(self, tmp_path, source, target):
-        write_image(tmp_path / "s.png", source)
-        write_image(tmp_path / "t.png", target)
-        return read_guides(tmp_path / "s.png", tmp_path / "t.png")
-
-    def test_alpha_is_kept_in_both_if_one_is_transparent(self, tmp_path, image):
-        alpha = np.tile([0, 255], (6, 4)).astype(np.uint8)
-        rgba = np.dstack([image * (alpha > 0)[..., None], alpha])
-        source, target = self.read(tmp_path, image, rgba)
-        np.testing.assert_array_equal(source, np.dstack([image, np.full((6, 8), 255)]))
-        np.testing.assert_array_equal(target, rgba)
-
-    def test_opaque_alpha_is_dropped_from_both(self, tmp_path, image):
-        rgba = np.dstack([image, np.full((6, 8), 255, np.uint8)])
-        source, target = self.read(tmp_path, rgba, image)
-        np.testing.assert_array_equal(source, image)
-        np.testing.assert_array_equal(target, image)
-
-    def test_grey_is_spread_beside_colour(self, tmp_path, image):
-        source, target = self.read(tmp_path, image[:, :, 0], image)
-        np.testing.assert_array_equal(source, image[:, :, :1].repeat(3, axis=2))
-        np.testing.assert_array_equal(target, image)
 
 
 def test_unreadable_inputs(tmp_path):

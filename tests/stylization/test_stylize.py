@@ -177,6 +177,12 @@ def test_too_many_levels_are_reduced_and_noted(caplog):
     assert caplog.record_tuples == [("stylit_ref", logging.INFO, said)]
 
 
+def test_guides_that_all_weigh_nothing_are_noted(caplog):
+    stylize(*small_scene(), quick(guide_weights=(0, 0)))
+    said = "guide_weights is 0 for every guide, so the guides guide nothing"
+    assert caplog.record_tuples == [("stylit_ref", logging.WARNING, said)]
+
+
 def test_threads_that_are_not_there_are_left_out_and_noted(caplog):
     offered = numba.config.NUMBA_NUM_THREADS
     with caplog.at_level("INFO", "stylit_ref"):

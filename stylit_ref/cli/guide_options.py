@@ -1,0 +1,112 @@
+"""Options that name the guides of ``run``, and what together they say."""
+
+import argparse
+from collections.abc import Sequence
+
+from stylit_ref.errors import InputError
+from stylit_ref.files.guide_encoding import GuideEncoding
+from stylit_ref.files.layer_names import split_layer
+from stylit_ref.files.nnf_file import read_nnf
+
+
+def add_guide_options(group: argparse._ArgumentGroup) -> None:
+    """Add them."""
+    group.add_argument(
+        "--guide", nargs=2, action="append", required=True, metavar=("SOURCE", "TARGET"),
+        help="a render pass of what was painted, and the same pass of the target; repeat --guide "
+        "for each pass",
+    )  # fmt: skip
+    group.add_argument(
+        "--guide-layers", type=_names, action=_OfGuide, default={}, metavar="LAYER[,LAYER...]",
+        help="of the two files of the --guide before it take these layers, a guide each: "
+        "Combined,DiffDir,IndexOB",
+    )  # fmt: skip
+    group.add_argument(
+        "--weight", type=float, action=_OfGuide, dest="guide_weights", default={}, metavar="W",
+        help="how much the --guide before it counts, against 1 for the others; with --guide-layers "
+        "how much each of its layers does",
+    )  # fmt: skip
+
+
+def add_encoding_option(group: argparse._ArgumentGroup) -> None:
+    """Add the option that says how guides become 8 bits."""
+    group.add_argument(
+        "--guide-encoding", default="auto", metavar="HOW",
+        help="how floating-point guides become 8 bits: auto: so that hardly any value is clipped, "
+        "and labels become colours; none: values outside [0, 1] are clipped; FILE.npy: as in the "
+        "run that wrote it with --nnf (default %(default)s)",
+    )  # fmt: skip
+
+
+def guide_files(options: argparse.Namespace) -> list[tuple[str, str]]:
+    """Source and target of each guide, each with its layer where ``--guide-layers`` names some.
+
+    Raises
+    ------
+    InputError
+        If a file is not there.
+    """
+    files = []
+    for number, (source, target) in enumerate(options.guide):
+        layers = options.guide_layers.get(number)
+        if layers:
+            files += [(_layer_of(source, layer), _layer_of(target, layer)) for layer in layers]
+        else:
+            files.append((source, target))
+    return files
+
+
+def guide_weights(options: argparse.Namespace) -> tuple[float, ...]:
+    """The weight of each of these guides."""
+    weights = []
+    for number in range(len(options.guide)):
+        layers = options.guide_layers.get(number, [""])
+        weights += [options.guide_weights.get(number, 1.0)] * len(layers)
+    return tuple(weights)
+
+
+def guide_encoding(options: argparse.Namespace) -> str | Sequence[GuideEncoding]:
+    """What :func:`stylit_ref.read_guides` is to do.
+
+    Raises
+    ------
+    InputError
+        If it is none of the choices, or the file of an earlier run has no encodings.
+    """
+    chosen = options.guide_encoding
+    if chosen in ("auto", "none"):
+        return chosen
+    if not chosen.endswith(".npy"):
+        raise InputError(
+            f"is {chosen}; it must be auto, none, or the .npy file of an earlier run",
+            parameter="guide_encoding",
+        )
+    encodings = read_nnf(chosen).guide_encodings
+    if not encodings:
+        raise InputError(f"{chosen}: does not say how the guides of its run were encoded")
+    return encodings
+
+
+def _layer_of(path, layer):
+    """``scene.exr`` and ``Combined`` are ``scene.exr:Combined``; a view layer may stand between."""
+    _, view_layer = split_layer(path)
+    return f"{path}.{layer}" if view_layer else f"{path}:{layer}"
+
+
+def _names(text):
+    names = [name.strip() for name in text.split(",")]
+    if not all(names):
+        raise argparse.ArgumentTypeError(f"is {text!r}; it must be names with commas between them")
+    return names
+
+
+class _OfGuide(argparse.Action):
+    """An option of the ``--guide`` before it: number of the guide to its value."""
+
+    def __call__(self, parser, options, value, option_string=None):
+        values = getattr(options, self.dest)
+        if not options.guide:
+            parser.error(f"{option_string}: must follow the --guide it belongs to")
+        if len(options.guide) - 1 in values:
+            parser.error(f"{option_string}: the --guide before it has one already")
+        setattr(options, self.dest, {**values, len(options.guide) - 1: value})
