@@ -12,7 +12,7 @@ import OpenImageIO as oiio
 from stylit_ref import __version__
 from stylit_ref.cli.methods import OFFERS
 from stylit_ref.cli.parser import Parser
-from stylit_ref.stylization.warm_up import FIVE_GUIDES
+from stylit_ref.stylization.warm_up import SIX_GUIDES
 
 
 def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
@@ -51,7 +51,7 @@ def _lines():
 
 def _kernel_lines():
     needed = {
-        name: offer.kernels(offer.params(method=name), 3, FIVE_GUIDES)
+        name: offer.kernels(offer.params(method=name), 3, SIX_GUIDES)
         for name, offer in OFFERS.items()
     }
     folders = {each.folder for kernels in needed.values() for each in kernels}
@@ -72,7 +72,7 @@ def _kernel_lines():
         f"{sum(each.is_compiled for each in kernels)} of {len(kernels)} for {name}"
         for name, kernels in needed.items()
     ]
-    yield "compiled", f"{', '.join(counts)}, with five guides in colour; a run compiles the others"
+    yield "compiled", f"{', '.join(counts)}, with six guides in colour; a run compiles the others"
 
 
 def _kinds(attribute, without):

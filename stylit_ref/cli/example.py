@@ -53,7 +53,7 @@ def run(options: argparse.Namespace) -> None:
     else:
         raise InputError(f"{folder}: holds other files; name a new folder")
     print(f"The scenes are in {folder}. To stylize one, run here:", file=sys.stderr)
-    print(_command(folder, guides.LIGHT_PASSES))
+    print(_command(folder, (*guides.LIGHT_PASSES, "IDMASK")))
 
 
 def _is_empty(place):
@@ -67,7 +67,11 @@ def _is_copy(place, bundled):
 
 
 def _command(folder, guides):
-    """A command that stylizes one of the scenes, guided as in Fišer et al. 2016."""
+    """A command that stylizes one of the scenes.
+
+    Its guides are those of Fišer et al. 2016, and one that tells objects apart: without it paint
+    spills from one thing onto another that is lit alike.
+    """
     if str(folder).startswith("-"):  # which a command line would take for an option
         folder = f"./{folder}"
     source, target = f"{folder}/source", f"{folder}/teapot"

@@ -9,7 +9,7 @@ from stylit_ref.cli.methods import offer_of
 from stylit_ref.cli.parser import Parser
 from stylit_ref.cli.progress_line import ProgressLine
 from stylit_ref.machine.kernel import compile_missing
-from stylit_ref.stylization.warm_up import FIVE_GUIDES, GUIDE_CHANNELS, STYLE_CHANNELS
+from stylit_ref.stylization.warm_up import GUIDE_CHANNELS, SIX_GUIDES, STYLE_CHANNELS
 
 _DESCRIPTION = """\
 Compile the kernels of a run ahead and keep them on disk, so that the first picture need not wait
@@ -31,9 +31,9 @@ def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
     add_method(parser)
     add_parameters(parser, _COMPILED_FOR)
     parser.add_argument(
-        "--guide-channels", type=parsed(GUIDE_CHANNELS), default=FIVE_GUIDES,
+        "--guide-channels", type=parsed(GUIDE_CHANNELS), default=SIX_GUIDES,
         metavar="N[,N...]",
-        help="channels of each guide, 3 for one in colour (default: five in colour)",
+        help="channels of each guide, 3 for one in colour (default: six in colour)",
     )  # fmt: skip
     parser.add_argument(
         "--style-channels", type=parsed(STYLE_CHANNELS), default=3, metavar="N",

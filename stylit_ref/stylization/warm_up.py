@@ -14,8 +14,8 @@ from stylit_ref.stylization.backends import CPU
 from stylit_ref.stylization.params import Params, as_params
 from stylit_ref.stylization.problem import make_synthesis
 
-FIVE_GUIDES = (3, 3, 3, 3, 3)
-"""Channels of the light passes of Fišer et al. 2016, in colour."""
+SIX_GUIDES = (3, 3, 3, 3, 3, 3)
+"""Channels of the light passes of Fišer et al. 2016 and of an ID guide, in colour."""
 
 STYLE_CHANNELS = Integer(1, 4)
 GUIDE_CHANNELS = Several(Integer(1, 1000), "guide_channels")
@@ -25,7 +25,7 @@ def warm_up(
     params: Params | None = None,
     *,
     style_channels: int = 3,
-    guide_channels: Sequence[int] = FIVE_GUIDES,
+    guide_channels: Sequence[int] = SIX_GUIDES,
     progress: Callable[[int, int], None] | None = None,
 ) -> int:
     """Compile the CPU's kernels for a run before it, and keep them on disk.
