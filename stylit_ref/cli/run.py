@@ -33,8 +33,8 @@ picture of another scene follows. For instance, a preview:
 
 Or from two EXR files of Blender:
 
-  stylit-ref run --preset fast --style painted_sphere.png \
-      --guide sphere.exr scene.exr --guide-layers Combined,DiffDir,IndexOB \
+  stylit-ref run --preset fast --style painted_sphere.png \\
+      --guide sphere.exr scene.exr --guide-layers Combined,DiffDir,IndexOB \\
       --output stylized.png
 
 Images may be PNG, TIFF, JPEG, EXR and others; FILE.exr:LAYER names a layer of an EXR file."""
