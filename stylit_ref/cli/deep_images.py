@@ -26,15 +26,19 @@ class DeepImages(NamedTuple):
     fill: NDArray[np.uint16 | np.float32] | None
 
 
-def read_deep_images(options: argparse.Namespace, channels: int) -> DeepImages | None:
-    """Read the style and the fill at the style's own depth, if the output can hold it.
+def read_deep_images(
+    options: argparse.Namespace, style: NDArray[np.uint16 | np.float32] | None, channels: int
+) -> DeepImages | None:
+    """Read the fill at the style's own depth, if the output can hold it.
 
-    They are read before the run, so that nobody can change or remove them meanwhile.
+    It is read before the run, so that nobody can change or remove it meanwhile.
 
     Parameters
     ----------
     options : argparse.Namespace
         Of the images of ``run``.
+    style : (H_A, W_A, n) uint16 or float32, or None
+        Of :class:`~stylit_ref.cli.images_in.ImagesIn`.
     channels : int
         Of the picture.
 
@@ -43,8 +47,7 @@ def read_deep_images(options: argparse.Namespace, channels: int) -> DeepImages |
     DeepImages or None
         None for a style of 8 bits; and, with a note, if the format of the output has no more.
     """
-    style = read_image(options.style)
-    if style.dtype == np.uint8 or not holds_bits_of(style, options.output, channels):
+    if style is None or not holds_bits_of(style, options.output, channels):
         return None
     fill = to_depth(read_image(options.fill), style.dtype) if options.fill else None
     return DeepImages(style, fill)

@@ -9,8 +9,9 @@ from numpy.typing import NDArray
 from stylit_ref.cli.guide_options import add_guide_options, guide_encoding, guide_files
 from stylit_ref.errors import InputError
 from stylit_ref.files.guide_encoding import GuideEncoding
+from stylit_ref.files.picture import read_picture
 from stylit_ref.files.read_guides import read_guides
-from stylit_ref.files.read_image import read_mask, read_uint8
+from stylit_ref.files.read_image import displayed, read_mask, read_uint8
 from stylit_ref.stylization.checks import check_fill, check_guides, check_mask
 
 
@@ -20,6 +21,8 @@ class ImagesIn(NamedTuple):
     Attributes
     ----------
     style : (H_A, W_A, n) uint8
+    deep_style : (H_A, W_A, n) uint16 or float32, or None
+        The style as its file has it, where that is more than 8 bits.
     source_guides, target_guides : tuple of (H, W, c) uint8
         Pairs with the same number of channels, of the style's size and of the target's.
     guide_encodings : tuple of GuideEncoding
@@ -29,6 +32,7 @@ class ImagesIn(NamedTuple):
     """
 
     style: NDArray[np.uint8]
+    deep_style: NDArray[np.uint16 | np.float32] | None
     source_guides: tuple[NDArray[np.uint8], ...]
     target_guides: tuple[NDArray[np.uint8], ...]
     guide_encodings: tuple[GuideEncoding, ...]
@@ -77,7 +81,9 @@ def read_images(options: argparse.Namespace) -> ImagesIn:
     """
     if options.fill and not options.mask:
         raise InputError("needs a --mask that says which pixels to fill", parameter="fill")
-    style = read_uint8(options.style)
+    picture = read_picture(options.style)
+    style = displayed(options.style, picture)
+    deep_style = None if picture.pixels.dtype == np.uint8 else picture.pixels
     files = guide_files(options)
     guides = read_guides(files, guide_encoding(options))
     sources, (targets,) = guides.source, guides.targets
@@ -89,4 +95,4 @@ def read_images(options: argparse.Namespace) -> ImagesIn:
         check_mask(mask, targets[0].shape[:2])
     if fill is not None:
         check_fill(fill, targets[0].shape[:2])
-    return ImagesIn(style, sources, targets, guides.encodings, mask, fill)
+    return ImagesIn(style, deep_style, sources, targets, guides.encodings, mask, fill)

@@ -129,7 +129,9 @@ def check_outputs(options: argparse.Namespace, params: Params, images: ImagesIn)
     profile = read_colour_profile(options.style)
     if options.fill:
         note_another_profile(options.fill, profile)
-    return Outputs(options, params, images, profile, read_deep_images(options, channels))
+    return Outputs(
+        options, params, images, profile, read_deep_images(options, images.deep_style, channels)
+    )
 
 
 def _level_files(options, params):

@@ -2,8 +2,8 @@
 
 Files are read at their own depth or converted to 8 bits (:mod:`stylit_ref.files.bit_depth`).
 An alpha channel that is opaque everywhere is dropped, and so is one that is 0 everywhere, which
-renderers and game tools leave empty. Otherwise OpenImageIO premultiplies the colours by it, so that
-averages of transparent pixels come out right.
+renderers and game tools leave empty. Otherwise colours are multiplied by it, so that averages of
+transparent pixels come out right.
 """
 
 import logging
@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stylit_ref.files.bit_depth import to_uint8_by_rows
-from stylit_ref.files.picture import read_picture
+from stylit_ref.files.picture import Picture, read_picture
 from stylit_ref.notes import note
 
 
@@ -50,7 +50,24 @@ def read_uint8(path: str | Path) -> NDArray[np.uint8]:
     -------
     (H, W, n) uint8
     """
-    picture = read_picture(path)
+    return displayed(path, read_picture(path))
+
+
+def displayed(path: str | Path, picture: Picture) -> NDArray[np.uint8]:
+    """The 8-bit display values of a picture that was read of ``path``.
+
+    A note says if more than a few values are clipped.
+
+    Parameters
+    ----------
+    path : str or Path
+        As the user wrote it.
+    picture : Picture
+
+    Returns
+    -------
+    (H, W, n) uint8
+    """
     if picture.pixels.dtype == np.float32:
         clipped = np.mean((picture.colours < -0.01) | (picture.colours > 1))
         if clipped > 0.05:
