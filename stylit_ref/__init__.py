@@ -1,6 +1,10 @@
 """Illumination-guided, example-based stylization of 3D renderings.
 
 >>> from stylit_ref import Params, read_uint8, stylize, write_image
+
+and texture synthesis by patches:
+
+>>> from stylit_ref import TextureParams, synthesize_texture
 """
 
 from importlib import import_module
@@ -21,23 +25,32 @@ if TYPE_CHECKING:
     from stylit_ref.stylization.replaying import replay
     from stylit_ref.stylization.stylize import Result, stylize
     from stylit_ref.stylization.warm_up import warm_up
+    from stylit_ref.texture.params import TEXTURE_PRESETS, TextureParams
+    from stylit_ref.texture.session import Iteration, TextureSession
+    from stylit_ref.texture.synthesize import TextureResult, synthesize_texture
 
 __all__ = [
     "PRESETS",
+    "TEXTURE_PRESETS",
     "Field",
     "GuideEncoding",
     "Guides",
     "InputError",
+    "Iteration",
     "Params",
     "Profile",
     "Result",
     "Step",
+    "TextureParams",
+    "TextureResult",
+    "TextureSession",
     "read_guides",
     "read_image",
     "read_nnf",
     "read_uint8",
     "replay",
     "stylize",
+    "synthesize_texture",
     "to_uint8",
     "warm_up",
     "write_image",
@@ -60,6 +73,9 @@ _HOMES = {
     "stylization.replaying": ("replay",),
     "stylization.stylize": ("Result", "stylize"),
     "stylization.warm_up": ("warm_up",),
+    "texture.params": ("TEXTURE_PRESETS", "TextureParams"),
+    "texture.session": ("Iteration", "TextureSession"),
+    "texture.synthesize": ("TextureResult", "synthesize_texture"),
 }
 
 

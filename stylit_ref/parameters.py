@@ -137,6 +137,24 @@ class Choice:
 
 
 @dataclass(frozen=True)
+class Flag:
+    """True or False."""
+
+    placeholder: ClassVar[str] = "yes|no"
+    described: ClassVar[str] = "yes or no"
+
+    def check(self, name: str, value: Any) -> bool:
+        """The value as a bool."""
+        if not isinstance(value, bool | np.bool_):
+            raise InputError(f"is {shown(value)}; it must be True or False", parameter=name)
+        return bool(value)
+
+    def parse(self, text: str) -> bool:
+        """Yes or no."""
+        return {"yes": True, "no": False}[text]
+
+
+@dataclass(frozen=True)
 class OneOrSeveral:
     """A value of a kind, or several of them."""
 

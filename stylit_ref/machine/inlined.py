@@ -14,3 +14,8 @@ Compiler = Callable[[Callable[..., Any]], Callable[..., Any]]
 def inlined(function: Function) -> Function:
     """Compile a function that only kernels call."""
     return njit(forceinline=True, no_cpython_wrapper=True, no_cfunc_wrapper=True)(function)
+
+
+def subroutine(function: Function) -> Function:
+    """Compile a part of a kernel that tests call too; a division by zero raises nothing there."""
+    return njit(error_model="numpy")(function)

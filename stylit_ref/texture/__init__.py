@@ -1,0 +1,1 @@
+"""Parallel patch-based texture synthesis (Lasram & Lefebvre 2012)."""

@@ -1,0 +1,119 @@
+"""Whether what a session is given fits together."""
+
+from collections.abc import Sequence
+from numbers import Integral
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stylit_ref.arrays import as_array
+from stylit_ref.errors import InputError, shown
+from stylit_ref.texture.exemplars import packed_planes, with_channels
+from stylit_ref.texture.formulae.deformation import PHASES
+
+LARGEST_SIDE = 1 << 16
+
+
+def check_seed(seed: int) -> None:
+    """Raise InputError unless a seed is an integer from 0 to 2**64 - 1."""
+    if not isinstance(seed, Integral) or not 0 <= seed < 1 << 64:
+        raise InputError(
+            f"is {shown(seed)}; it must be an integer from 0 to 2**64 - 1", parameter="seed"
+        )
+
+
+def check_size(size: tuple[int, int]) -> tuple[int, int]:
+    """The height and width of a texture, or InputError."""
+    try:
+        height, width = size
+    except (TypeError, ValueError):
+        raise InputError(
+            f"is {shown(size)}; it must be a height and a width", parameter="size"
+        ) from None
+    for side in (height, width):
+        if not isinstance(side, Integral) or not 1 <= side <= LARGEST_SIDE:
+            raise InputError(
+                f"is {width} x {height} pixels; each side must be an integer from 1 to "
+                f"{LARGEST_SIDE}",
+                parameter="size",
+            )
+    return int(height), int(width)
+
+
+def check_lock(lock: NDArray[np.bool_] | None, size: tuple[int, int]) -> NDArray[np.uint8]:
+    """A lock of the texture's size; nothing is locked where none is given."""
+    if lock is None:
+        return np.zeros(size, np.uint8)
+    locked = as_array(lock, "lock")
+    if locked.shape != size or locked.dtype != np.bool_:
+        raise InputError(
+            f"is {locked.dtype} of the shape {locked.shape}; it must be bool of the texture's "
+            f"shape {size}",
+            parameter="lock",
+        )
+    return np.ascontiguousarray(locked, np.uint8)
+
+
+def check_coordinates(
+    coordinates: NDArray[np.int32], images: Sequence[NDArray[np.uint8]], size: tuple[int, int]
+) -> NDArray[np.int32]:
+    """Coordinates that all lie in an exemplar, for a texture of ``size``."""
+    given = as_array(coordinates, "start")
+    if given.shape != (*size, 3) or not np.issubdtype(given.dtype, np.integer):
+        raise InputError(
+            f"is {given.dtype} of the shape {given.shape}; it must be integers of the shape "
+            f"{(*size, 3)}: exemplar, y and x in quarters of a pixel",
+            parameter="start",
+        )
+    index, y, x = np.moveaxis(given, -1, 0)
+    inside = (index >= 0) & (index < len(images))
+    limits = np.array([image.shape[:2] for image in images]) * PHASES
+    height, width = np.moveaxis(limits[np.where(inside, index, 0)], -1, 0)
+    inside &= (y >= 0) & (y < height) & (x >= 0) & (x < width)
+    if not inside.all():
+        row, column = np.argwhere(~inside)[0]
+        raise InputError(
+            f"holds {given[row, column].tolist()} at y = {row}, x = {column}, which lies outside "
+            "the exemplars",
+            parameter="start",
+        )
+    return given
+
+
+def check_guides(
+    source_guides: Sequence[NDArray[np.uint8]] | None,
+    target_guide: NDArray[np.uint8] | None,
+    images: Sequence[NDArray[np.uint8]],
+    size: tuple[int, int],
+) -> tuple[list[NDArray[np.uint8]] | None, NDArray[np.int32]]:
+    """Guides of the exemplars' and the texture's sizes; the texture's packed, or (1, 1) zeros."""
+    if source_guides is None and target_guide is None:
+        return None, np.zeros((1, 1), np.int32)
+    if source_guides is None or target_guide is None:
+        raise InputError("a guide is needed for the exemplars and for the texture; one was given")
+    if len(source_guides) != len(images):
+        raise InputError(
+            f"there are {len(images)} exemplars and {len(source_guides)} guides; give every "
+            "exemplar one"
+        )
+    target = with_channels(target_guide, "the texture's guide")
+    if target.shape[:2] != size:
+        raise InputError(
+            f"the texture's guide has {target.shape[1]} x {target.shape[0]} pixels, the texture "
+            f"{size[1]} x {size[0]}; make it as large"
+        )
+    guides = []
+    for k, (guide, image) in enumerate(zip(source_guides, images, strict=True), 1):
+        guide = with_channels(guide, f"the guide of exemplar {k}")
+        if guide.shape[:2] != image.shape[:2]:
+            raise InputError(
+                f"the guide of exemplar {k} has {guide.shape[1]} x {guide.shape[0]} pixels, the "
+                f"exemplar {image.shape[1]} x {image.shape[0]}; make it as large"
+            )
+        if guide.shape[2] != target.shape[2]:
+            raise InputError(
+                f"the guide of exemplar {k} and that of the texture have {guide.shape[2]} and "
+                f"{target.shape[2]} channels; give both the same"
+            )
+        guides.append(guide)
+    return guides, packed_planes([target], 0, fractions=False).reshape(size)

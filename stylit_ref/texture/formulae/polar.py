@@ -1,0 +1,188 @@
+"""The polar map T of a patch, its normalization N (section 4, Appendix A), as tables of integers.
+
+A patch is a disc of radius R around a pixel. T turns it into a rectangle of W = N_ρ R columns,
+radii, and H = 2π N_θ R rows, angles. A cut is a column for every row, so a radius for every angle.
+What a pass needs of T is computed once, in the tables below: which pixel edge a piece of a cut
+crosses, and what it weighs. Angles enter as integers, rounded here and nowhere else, so that ports
+can take the tables as they are.
+
+Two weightings. ``printed`` is N of the paper, 2π x / (H N_ρ²): the area of a sample. Multiplied by
+N_ρ², as the paper does for H, it is N_ρ times the length of a row's arc. ``arc_length`` weighs
+existing seams by area too, but the pieces of a cut by their lengths: the arc of a row for H, the
+width of a column for V. (Appendix A asks that a sum over the polar table be the sum over the disc.
+Both fulfil it for existing seams. A cut of constant cost shows the difference: it costs its length
+by arc length, and N_ρ times that as printed.)
+"""
+
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stylit_ref.machine.inlined import inlined
+
+WEIGHT_BITS = 14
+"""Weights and direction cosines are integers of this many fractional bits."""
+
+MARGIN = 2
+"""Pixels around a patch that its window holds: the neighbours of its border, and theirs."""
+
+BLOCKED = (1 << 30) - 1
+"""The value of a state of the dynamic programming that no cut may pass."""
+
+WEIGHTINGS = "arc_length", "printed"
+
+
+class Polar(NamedTuple):
+    """T for one radius.
+
+    A window is the square of n = 2 (R + :data:`MARGIN`) + 1 pixels around a patch's centre, row by
+    row; a place is an index into it. The edge x of a place lies between it and the pixel to its
+    right, the edge y between it and the pixel below. Weights are in units of 2**-14.
+
+    Attributes
+    ----------
+    cut_x, cut_y : (H, W) uint16 or int32
+        Places of the edges that a cut between column x and x + 1 crosses in row y.
+    step_x, step_y : (H, W) uint16 or int32
+        Places of the edges that a cut crosses at column x between rows y and y + 1.
+    inside : (H, W) uint16 or int32
+        The place of a sample of the disc.
+    cut_cosine, cut_sine, step_cosine, step_sine : (H,) int32
+        Their absolute values in the middle of a row and between it and the next.
+    cut_weight, step_weight, area : (W,) int32
+        Lengths, or what is printed in their place, and areas.
+    half_width : (n,) int32
+        How far the disc of radius R + 1 reaches from the middle of each row of a window.
+    cosine, sine : (H + 1,) int32
+        Of the middle of every row; the last repeats the first.
+    border : (W + 1,) int32
+        The radius of a cut before column x, in pixels times 2**8.
+    radius_at : (n * n,) int32
+        Distance of a place from the centre, in pixels times 2**8.
+    angle_at : (n * n,) int32
+        Its angle in rows, times 2**8.
+    """
+
+    cut_x: NDArray[np.integer]
+    cut_y: NDArray[np.integer]
+    step_x: NDArray[np.integer]
+    step_y: NDArray[np.integer]
+    inside: NDArray[np.integer]
+    cut_cosine: NDArray[np.int32]
+    cut_sine: NDArray[np.int32]
+    step_cosine: NDArray[np.int32]
+    step_sine: NDArray[np.int32]
+    cut_weight: NDArray[np.int32]
+    step_weight: NDArray[np.int32]
+    area: NDArray[np.int32]
+    half_width: NDArray[np.int32]
+    cosine: NDArray[np.int32]
+    sine: NDArray[np.int32]
+    border: NDArray[np.int32]
+    radius_at: NDArray[np.int32]
+    angle_at: NDArray[np.int32]
+
+
+def polar_size(radius: int, radial_samples: float, angular_samples: float) -> tuple[int, int]:
+    """H and W, the rows and columns of the polar table (section 4)."""
+    rows = _nearest(angular_samples * 2 * np.pi * radius)
+    return max(8, int(rows)), max(1, int(_nearest(radial_samples * radius)))
+
+
+@inlined
+def row_of(angle: int, rows: int) -> int:
+    """The row nearest to an angle in 1/256 rows."""
+    row = (angle + 128) >> 8
+    return row - rows if row >= rows else row
+
+
+@lru_cache(maxsize=32)
+def make_polar(radius: int, radial_samples: float, angular_samples: float, weighting: str) -> Polar:
+    """The tables of T.
+
+    Parameters
+    ----------
+    radius : int
+        R, in pixels.
+    radial_samples, angular_samples : float
+        N_ρ and N_θ, samples a pixel along the radius and along the border.
+    weighting : {"arc_length", "printed"}
+    """
+    rows, columns = polar_size(radius, radial_samples, angular_samples)
+    centre = radius + MARGIN
+    side = 2 * centre + 1
+    angles = np.arange(rows)[:, None] * (2 * np.pi / rows)
+    between = angles + np.pi / rows
+    borders = np.arange(1, columns + 1)[None, :] / radial_samples
+    middles = (np.arange(columns) + 0.5)[None, :] / radial_samples
+    arc = 2 * np.pi / rows
+
+    def places(y, x):
+        index = (y + centre) * side + x + centre
+        return np.ascontiguousarray(index.astype(np.uint16 if side**2 <= 1 << 16 else np.int32))
+
+    def edges(radii, angle):
+        y, x = radii * np.sin(angle), radii * np.cos(angle)
+        return places(_nearest(y), _floor(x)), places(_floor(y), _nearest(x))
+
+    area = middles[0] * arc / radial_samples
+    if weighting == "printed":
+        cut_weight, step_weight = borders[0] * radial_samples * arc, area
+    else:
+        cut_weight, step_weight = borders[0] * arc, np.full(columns, 1 / radial_samples)
+    offsets = np.arange(-centre, centre + 1)
+    y, x = np.meshgrid(offsets, offsets, indexing="ij")
+    chord = np.maximum((radius + 1) ** 2 - offsets**2, 0)
+    return Polar(
+        *edges(borders, angles),
+        *edges(middles, between),
+        places(_nearest(middles * np.sin(angles)), _nearest(middles * np.cos(angles))),
+        *(_fixed(abs(of(angle[:, 0]))) for angle in (angles, between) for of in (np.cos, np.sin)),
+        _fixed(cut_weight),
+        _fixed(step_weight),
+        _fixed(area),
+        np.sqrt(chord).astype(np.int32),
+        _fixed(np.cos(np.append(angles, 0.0))),
+        _fixed(np.sin(np.append(angles, 0.0))),
+        _nearest(np.arange(columns + 1) * (256 / radial_samples)).astype(np.int32),
+        _nearest(np.hypot(y, x).ravel() * 256).astype(np.int32),
+        (_nearest(np.arctan2(y, x).ravel() * (rows * 128 / np.pi)) % (rows * 256)).astype(np.int32),
+    )
+
+
+def cost_limit(polar: Polar, max_jump: int) -> int:
+    """The largest cost of an edge with which no cut can overflow 32-bit integers.
+
+    Larger costs are cut off at it while a cut is looked for; what decides on a patch in the end is
+    computed without a limit. A cut pays in every row at most one crossing and ``max_jump`` steps,
+    and saves at most what the whole disc holds. Half of what a state can hold is for either, so
+    that a cut through a blocked state never looks cheaper than one without.
+    """
+    rows, one = polar.cut_x.shape[0], 1 << WEIGHT_BITS
+    largest_cut, largest_step = int(polar.cut_weight.max()), int(polar.step_weight.max())
+    paid = 1.5 * rows * (largest_cut + max_jump * largest_step) / one
+    saved = 2 * rows * int(polar.area.sum()) / one
+    across = 1.5 * int(polar.step_weight.sum()) / one
+    largest_total = BLOCKED // 2 - rows * (max_jump + polar.area.size + 2)  # what rounding adds
+    limits = (
+        largest_total / max(paid, saved),
+        (1 << 28) / across,
+        ((1 << 31) - 1) / (1.5 * max(largest_cut, largest_step, one)),
+        ((1 << 31) - 1) / (2 * int(polar.area.max()) + 1),
+    )
+    return int(min(limits))
+
+
+def _nearest(values):
+    """Round half up; what is a tie but for the last bits of a sine is a tie on every machine."""
+    return _floor(values + 0.5)
+
+
+def _floor(values):
+    return np.floor(np.floor(values * (1 << 20) + 0.5) / (1 << 20)).astype(np.int64)
+
+
+def _fixed(values):
+    return _nearest(values * (1 << WEIGHT_BITS)).astype(np.int32)

@@ -1,0 +1,126 @@
+"""The exact change of the cost of S if a patch is written, and the writing."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stylit_ref.machine.inlined import subroutine
+from stylit_ref.texture.formulae.guide_cost import guide_cost
+from stylit_ref.texture.formulae.seam_cost import edge_cost
+from stylit_ref.texture.passes.layout import Settings, Sources, Texture
+
+
+@subroutine
+def cost_change(
+    texture: Texture,
+    sources: Sources,
+    settings: Settings,
+    y: int,
+    x: int,
+    half_width: NDArray[np.int32],
+    patch: NDArray[np.int32],
+) -> int:
+    """What S costs after a patch is written, less what it cost before.
+
+    Summed over all pixels that change and their edges; the sum is exact.
+    """
+    addresses, seams_x, seams_y = texture.addresses, texture.seams_x, texture.seams_y
+    colours, stride = sources.colours, settings.stride
+    eta, exponent = settings.eta, settings.exponent
+    height, width = addresses.shape
+    side = half_width.size
+    centre = side // 2
+    # In a texture one pixel high every pixel is its own neighbour below; so it is with the width.
+    to_right, to_below = (1 if width > 1 else 0), (side if height > 1 else 0)
+    change = np.int64(0)
+    for j in range(1, side - 1):
+        row = (y + j - centre) % height
+        below = row + 1 if row + 1 < height else 0
+        reach = min(half_width[j] + 1, centre - 1)
+        for i in range(centre - reach, centre + reach + 1):
+            place = j * side + i
+            new, new_right, new_below = (
+                patch[place],
+                patch[place + to_right],
+                patch[place + to_below],
+            )
+            if new < 0 and new_right < 0 and new_below < 0:
+                continue
+            column = (x + i - centre) % width
+            here = new if new >= 0 else addresses[row, column]
+            if settings.guide_weight and new >= 0:
+                wanted, shown = texture.guide[row, column], sources.guide_colours
+                change += guide_cost(shown[new], wanted, settings.guide_weight)
+                change -= guide_cost(shown[addresses[row, column]], wanted, settings.guide_weight)
+            if new >= 0 or new_right >= 0:
+                right = column + 1 if column + 1 < width else 0
+                there = new_right if new_right >= 0 else addresses[row, right]
+                cost = edge_cost(colours, here, there, 1, eta, exponent)
+                change += np.int64(cost) - seams_x[row, column]
+            if new >= 0 or new_below >= 0:
+                there = new_below if new_below >= 0 else addresses[below, column]
+                cost = edge_cost(colours, here, there, stride, eta, exponent)
+                change += np.int64(cost) - seams_y[row, column]
+    return change
+
+
+@subroutine
+def inner_cost(
+    patch: NDArray[np.int32],
+    half_width: NDArray[np.int32],
+    colours: NDArray[np.int32],
+    settings: Settings,
+) -> int:
+    """E(P): what the seams between the pixels of a patch cost, which deformation made."""
+    side = half_width.size
+    stride, eta, exponent = settings.stride, settings.eta, settings.exponent
+    total = np.int64(0)
+    for place in range(patch.size - side):
+        here, right, below = patch[place], patch[place + 1], patch[place + side]
+        if here >= 0 and right >= 0:
+            total += edge_cost(colours, here, right, 1, eta, exponent)
+        if here >= 0 and below >= 0:
+            total += edge_cost(colours, here, below, stride, eta, exponent)
+    return total
+
+
+@subroutine
+def write_patch(
+    texture: Texture,
+    sources: Sources,
+    settings: Settings,
+    y: int,
+    x: int,
+    half_width: NDArray[np.int32],
+    patch: NDArray[np.int32],
+) -> None:
+    """Write a patch into S, and what the edges cost that it touches."""
+    addresses, seams_x, seams_y = texture.addresses, texture.seams_x, texture.seams_y
+    colours, stride = sources.colours, settings.stride
+    eta, exponent = settings.eta, settings.exponent
+    height, width = addresses.shape
+    side = half_width.size
+    centre = side // 2
+    to_right, to_below = (1 if width > 1 else 0), (side if height > 1 else 0)
+    for j in range(1, side - 1):
+        row = (y + j - centre) % height
+        for i in range(1, side - 1):
+            if patch[j * side + i] >= 0:
+                addresses[row, (x + i - centre) % width] = patch[j * side + i]
+    for j in range(1, side - 1):
+        row = (y + j - centre) % height
+        below = row + 1 if row + 1 < height else 0
+        for i in range(1, side - 1):
+            place = j * side + i
+            column = (x + i - centre) % width
+            # The edges of a pixel beside the patch may be those of the next patch, too: each of
+            # the two is written only if it is one of this patch.
+            if patch[place] >= 0 or patch[place + to_right] >= 0:
+                right = column + 1 if column + 1 < width else 0
+                seams_x[row, column] = edge_cost(
+                    colours, addresses[row, column], addresses[row, right], 1, eta, exponent
+                )
+            if patch[place] >= 0 or patch[place + to_below] >= 0:
+                seams_y[row, column] = edge_cost(
+                    colours, addresses[row, column], addresses[below, column], stride, eta,
+                    exponent,
+                )  # fmt: skip

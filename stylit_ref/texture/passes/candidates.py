@@ -1,0 +1,84 @@
+"""Which part of an exemplar a cell is offered: at random, or the best of some by a sparse look."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stylit_ref.machine.inlined import inlined, subroutine
+from stylit_ref.randomness.philox import FourWords, uniform_below
+from stylit_ref.randomness.random_stream import random_words
+from stylit_ref.texture.formulae.polar import MARGIN
+from stylit_ref.texture.formulae.seam_cost import squared_distance
+from stylit_ref.texture.passes.context import Context
+from stylit_ref.texture.passes.layout import Settings, Sources, Texture
+
+LOOKED_AT = 64
+"""Pixels that are compared when candidates are prescreened."""
+
+_LARGEST_DISTANCE = 20000
+"""Squared distances above count as this: what differs altogether will be cut away."""
+
+_GOLDEN_ANGLE = np.pi * (3 - 5**0.5)
+
+
+def ring(radius: int) -> NDArray[np.int32]:
+    """Offsets (y, x) spread evenly over the outer half of a disc, where cuts run.
+
+    A spiral in steps of the golden angle, from R / 2 to R - 1; (64, 2) int32.
+    """
+    shares = (np.arange(LOOKED_AT) + 0.5) / LOOKED_AT
+    inner, outer = radius / 2, max(radius - 1, 0)
+    radii = np.sqrt(inner**2 + (outer**2 - inner**2) * shares)
+    angles = np.arange(LOOKED_AT) * _GOLDEN_ANGLE
+    offsets = np.stack([radii * np.sin(angles), radii * np.cos(angles)], axis=1)
+    return np.floor(np.floor(offsets * (1 << 20) + 0.5) / (1 << 20) + 0.5).astype(np.int32)
+
+
+@subroutine
+def find_candidate(
+    texture: Texture,
+    sources: Sources,
+    settings: Settings,
+    context: Context,
+    stream: FourWords,
+    cell: int,
+    first_draw: int,
+    y: int,
+    x: int,
+) -> int:
+    """The address of the centre of a patch in an exemplar, for the cell around the pixel (y, x).
+
+    ``cell`` and ``first_draw`` tell the draws of a stream apart. Of equally near candidates, the
+    first is taken.
+    """
+    addresses, colours, centres = texture.addresses, sources.colours, sources.centres
+    stride, plane, radius = settings.stride, settings.plane, settings.radius
+    height, width = addresses.shape
+    side = 2 * (radius + MARGIN) + 1
+    best, best_distance = np.int64(-1), np.int64(1) << 62
+    for k in range(settings.prescreened):
+        words = random_words(stream, cell, first_draw + k)
+        candidate = np.int64(centres[uniform_below(words[0], centres.size)])
+        if (words[1] & 65535) < settings.coherence:
+            to_y = uniform_below(words[2], 2 * radius + 1) - radius
+            to_x = uniform_below(words[3], 2 * radius + 1) - radius
+            there = np.int64(addresses[(y + to_y) % height, (x + to_x) % width]) % plane
+            there -= to_y * stride + to_x
+            if 0 <= there < plane and sources.is_centre[there]:
+                candidate = there
+        if settings.prescreened == 1:
+            return candidate
+        distance = np.int64(0)
+        for n in range(LOOKED_AT):
+            to_y, to_x = np.int64(sources.ring[n, 0]), np.int64(sources.ring[n, 1])
+            place = (to_y + radius + MARGIN) * side + to_x + radius + MARGIN
+            distance += _limited(
+                squared_distance(colours[candidate + to_y * stride + to_x], context.here[place])
+            )
+        if distance < best_distance:
+            best, best_distance = candidate, distance
+    return best
+
+
+@inlined
+def _limited(distance):
+    return distance if distance < _LARGEST_DISTANCE else np.int32(_LARGEST_DISTANCE)

@@ -1,0 +1,185 @@
+"""The dynamic programming of sections 4 and 5: T[y, i], and the best path that closes."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stylit_ref.machine.inlined import inlined, subroutine
+from stylit_ref.texture.formulae.polar import BLOCKED
+
+
+@subroutine
+def accumulate(
+    crossing: NDArray[np.int32],
+    steps: NDArray[np.int32],
+    max_jump: int,
+    first_row: int,
+    start: int,
+    totals: NDArray[np.int32],
+    less: NDArray[np.int32],
+    more: NDArray[np.int32],
+) -> None:
+    """Fill T from top to bottom.
+
+    ::
+
+        T[y, i] = min over |i - j| <= J of (T[y - 1, j] + |V[i] - V[j]|) + crossing[y, i]
+
+    where V are the running sums of the steps between the rows y - 1 and y. Since these are sums,
+    the minimum is that of two sliding minima, of T - V on the left and of T + V on the right. The
+    table has one row more than there are rows: the first again, without its crossing, so that the
+    jump that closes a cut pays its step.
+
+    Parameters
+    ----------
+    crossing, steps : (H, W + 2 J) int32
+        With J columns more on either side; the crossings there are BLOCKED.
+    max_jump : int
+        J.
+    first_row : int
+        The row that T begins with.
+    start : int
+        The one column to start from, or -1 for any.
+    totals : (H + 1, W + 2 J) int32
+        Receives T.
+    less, more : (W + 2 J,) int32
+        Room to compute in.
+    """
+    rows, padded = crossing.shape
+    columns = padded - 2 * max_jump
+    last = max_jump + columns
+    blocked = np.int32(BLOCKED)
+    row = totals[0]
+    for x in range(padded):
+        row[x] = crossing[first_row, x] if start < 0 or x == max_jump + start else blocked
+    for y in range(1, rows + 1):
+        above = first_row + y - 1
+        above = above - rows if above >= rows else above
+        before, running = totals[y - 1], steps[above]
+        for x in range(padded):
+            less[x] = before[x] - running[x]
+            more[x] = before[x] + running[x]
+        inner = running[max_jump:last]
+        row = totals[y]
+        best = row[max_jump:last]
+        _nearest_jumps(less, more, inner, max_jump, best)
+        row[:max_jump] = blocked
+        row[last:] = blocked
+        if y < rows:
+            now = first_row + y
+            now = now - rows if now >= rows else now
+            costs = crossing[now, max_jump:last]
+            for x in range(columns):
+                total = np.int32((best[x] if best[x] < blocked else blocked) + costs[x])
+                best[x] = total if total < blocked else blocked
+
+
+@inlined
+def _nearest_jumps(less, more, running, max_jump, best):
+    columns = running.size
+    if max_jump == 4:  # the usual value, in one sweep
+        l0, l1, l2 = less[4 : 4 + columns], less[3 : 3 + columns], less[2 : 2 + columns]
+        l3, l4 = less[1 : 1 + columns], less[0:columns]
+        m0, m1, m2 = more[4 : 4 + columns], more[5 : 5 + columns], more[6 : 6 + columns]
+        m3, m4 = more[7 : 7 + columns], more[8 : 8 + columns]
+        for x in range(columns):
+            left = _least(_least(_least(l0[x], l1[x]), _least(l2[x], l3[x])), l4[x])
+            right = _least(_least(_least(m0[x], m1[x]), _least(m2[x], m3[x])), m4[x])
+            best[x] = _least(np.int32(left + running[x]), np.int32(right - running[x]))
+    else:
+        here_less, here_more = less[max_jump : max_jump + columns], more
+        for x in range(columns):
+            best[x] = np.int32(here_less[x] + running[x])
+        for jump in range(1, max_jump + 1):
+            left = less[max_jump - jump : max_jump - jump + columns]
+            right = here_more[max_jump + jump : max_jump + jump + columns]
+            for x in range(columns):
+                nearer = _least(np.int32(left[x] + running[x]), np.int32(right[x] - running[x]))
+                best[x] = _least(best[x], nearer)
+
+
+@inlined
+def _least(a, b):
+    return a if a < b else b
+
+
+@inlined
+def _came_from(totals, steps, y, x, above, max_jump):
+    """The column in row y - 1 from which the best path reaches column x of row y.
+
+    Of several, that farthest to the left.
+    """
+    best, origin = np.int32(2147483647), x
+    for j in range(x - max_jump, x + max_jump + 1):
+        total = np.int32(totals[y - 1, j] + abs(np.int32(steps[above, x] - steps[above, j])))
+        if total < best:
+            best, origin = total, j
+    return origin
+
+
+@subroutine
+def closed_path(
+    totals: NDArray[np.int32],
+    steps: NDArray[np.int32],
+    max_jump: int,
+    first_row: int,
+    start: int,
+    path: NDArray[np.int32],
+    ends: NDArray[np.int32],
+    columns_now: NDArray[np.int32],
+) -> int:
+    """The cheapest of the best paths to every end that starts in the column where it ends.
+
+    There is one (Appendix B), since best paths never cross: ties go to the left. All are followed
+    upwards together; where two meet they stay together, and are followed as one.
+
+    Parameters
+    ----------
+    totals : (H + 1, W + 2 J) int32
+        T.
+    steps : (H, W + 2 J) int32
+    max_jump, first_row, start : int
+        As T was filled.
+    path : (H,) int32
+        Receives the path: a column of 0 to W - 1 for every row.
+    ends, columns_now : (W + 1,) int32
+        Room to compute in.
+
+    Returns
+    -------
+    int
+        What the path costs; BLOCKED // 2 or more if every closed path is blocked.
+    """
+    rows, padded = steps.shape
+    columns = padded - 2 * max_jump
+    if start >= 0:
+        best_end = start
+    else:
+        groups = columns
+        for i in range(columns):
+            ends[i], columns_now[i] = i, i + max_jump
+        ends[groups] = columns
+        for y in range(rows, 0, -1):
+            above = first_row + y - 1
+            above = above - rows if above >= rows else above
+            kept, last = 0, -1
+            for group in range(groups):
+                origin = _came_from(totals, steps, y, columns_now[group], above, max_jump)
+                if origin != last:
+                    ends[kept], columns_now[kept] = ends[group], origin
+                    kept += 1
+                    last = origin
+            groups = kept
+            ends[groups] = columns
+        best_end, best = -1, np.int32(2147483647)
+        for group in range(groups):
+            origin = columns_now[group] - max_jump
+            closes = ends[group] <= origin < ends[group + 1]
+            if closes and totals[rows, origin + max_jump] < best:
+                best_end, best = origin, totals[rows, origin + max_jump]
+    x = best_end + max_jump
+    for y in range(rows, 0, -1):
+        above = first_row + y - 1
+        above = above - rows if above >= rows else above
+        x = _came_from(totals, steps, y, x, above, max_jump)
+        path[above] = x - max_jump
+    return totals[rows, best_end + max_jump]

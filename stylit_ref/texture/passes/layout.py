@@ -1,0 +1,147 @@
+"""What the passes of an iteration share: the texture, its sources, settings, room to compute in."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stylit_ref.texture.formulae.polar import Polar
+
+
+class Settings(NamedTuple):
+    """The numbers that an iteration goes by, all integers.
+
+    Attributes
+    ----------
+    stride, plane : int
+        From a pixel of the exemplars to the one below; from one fraction of a pixel to the next.
+    radius, max_jump, max_shift : int
+        R, J_max, D_max.
+    eta, exponent, limit : int
+        η and d of M; the largest cost of an edge while a cut is looked for.
+    penalty : int
+        What a change of the shift from one row to the next costs.
+    fractions : int
+        Whether S holds quarters of a pixel.
+    predicate : int
+        An index into :data:`PREDICATES`.
+    second_pass : int
+    prescreened, coherence, tries : int
+        How candidates are found.
+    has_lock, guide_weight : int
+        Whether pixels are locked; the fixed-point weight of the guide, 0 without one.
+    """
+
+    stride: int
+    plane: int
+    radius: int
+    max_jump: int
+    max_shift: int
+    eta: int
+    exponent: int
+    limit: int
+    penalty: int
+    fractions: int
+    predicate: int
+    second_pass: int
+    prescreened: int
+    coherence: int
+    tries: int
+    has_lock: int
+    guide_weight: int
+
+
+class Texture(NamedTuple):
+    """S, what its seams cost, and what may change.
+
+    Attributes
+    ----------
+    addresses : (H, W) int32
+    seams_x, seams_y : (H, W) int32
+    lock : (H, W) uint8
+    guide : (H, W) int32
+        The guide that each pixel should have, packed as colours are; (1, 1) without one.
+    """
+
+    addresses: NDArray[np.int32]
+    seams_x: NDArray[np.int32]
+    seams_y: NDArray[np.int32]
+    lock: NDArray[np.uint8]
+    guide: NDArray[np.int32]
+
+
+class Sources(NamedTuple):
+    """What patches are taken from.
+
+    Attributes
+    ----------
+    colours : (n,) int32
+        Planes of packed colours.
+    guide_colours : (n,) int32
+        Their guides; (1,) without one.
+    valid : (plane,) uint8
+        Whether an address is a pixel of an exemplar.
+    is_centre : (plane,) uint8
+        Whether a patch may have its centre there.
+    centres : (m,) int32
+        Those addresses.
+    inner : (plane,) uint8
+        Whether a whole patch around it lies in the exemplar.
+    ring : (64, 2) int32
+        Where candidates are compared.
+    """
+
+    colours: NDArray[np.int32]
+    guide_colours: NDArray[np.int32]
+    valid: NDArray[np.uint8]
+    is_centre: NDArray[np.uint8]
+    centres: NDArray[np.int32]
+    inner: NDArray[np.uint8]
+    ring: NDArray[np.int32]
+
+
+class Workspace(NamedTuple):
+    """Room for each thread to compute in; the first axis of every array is the thread."""
+
+    context: NDArray[np.int32]
+    locked: NDArray[np.uint8]
+    costs: NDArray[np.int32]
+    saved: NDArray[np.int32]
+    crossing: NDArray[np.int32]
+    steps: NDArray[np.int32]
+    totals: NDArray[np.int32]
+    row: NDArray[np.int32]
+    paths: NDArray[np.int32]
+    ends: NDArray[np.int32]
+    line: NDArray[np.int32]
+    shift_costs: NDArray[np.int32]
+    shift_steps: NDArray[np.int32]
+    shift_totals: NDArray[np.int32]
+
+
+def make_workspace(polar: Polar, max_jump: int, max_shift: int, threads: int) -> Workspace:
+    """Room for patches of one size."""
+    rows, columns = polar.inside.shape
+    places = polar.radius_at.size
+    padded, shifts = columns + 2 * max_jump, 2 * max_shift + 3
+    widest = max(padded, shifts)
+
+    def room(*shape):
+        return np.zeros((threads, *shape), np.int32)
+
+    return Workspace(
+        context=room(6, places),
+        locked=np.zeros((threads, places), np.uint8),
+        costs=room(4, places),
+        saved=room(rows, columns),
+        crossing=room(rows, padded),
+        steps=room(rows, padded),
+        totals=room(rows + 1, padded),
+        row=room(2, widest),
+        paths=room(3, rows),
+        ends=room(2, widest + 1),
+        line=room(5, rows + 2 * max_shift),
+        shift_costs=room(rows, shifts),
+        shift_steps=room(rows, shifts),
+        shift_totals=room(rows + 1, shifts),
+    )

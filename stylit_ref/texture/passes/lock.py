@@ -1,0 +1,127 @@
+"""What a patch hides where not all pixels may change, and where a guide has a say.
+
+Locked pixels keep what they show, and a patch is written around them. So a seam between two of them
+can be neither hidden nor made: a cut may cross it for nothing. A seam between a locked pixel and
+one that changes stays a seam, with the patch on its other side: the patch hides the old cost and
+pays the new one, wherever its cut runs. (The paper says only that copying from holes can be
+prevented; ending the cut at locked pixels instead leaves specks that no patch reaches.)
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stylit_ref.machine.inlined import subroutine
+from stylit_ref.texture.formulae.guide_cost import guide_cost
+from stylit_ref.texture.formulae.seam_cost import seam_cost
+from stylit_ref.texture.passes.context import Context
+from stylit_ref.texture.passes.layout import Settings, Texture
+
+
+@subroutine
+def free_locked_edges(
+    half_width: NDArray[np.int32],
+    context: Context,
+    new_x: NDArray[np.int32],
+    new_y: NDArray[np.int32],
+) -> None:
+    """Let cuts cross edges between locked pixels for nothing."""
+    side = half_width.size
+    locked = context.locked
+    for j in range(1, side - 1):
+        reach = half_width[j]
+        middle = j * side + side // 2
+        for place in range(middle - reach, middle + reach + 1):
+            if locked[place] and locked[place + 1]:
+                new_x[place] = 0
+            if locked[place] and locked[place + side]:
+                new_y[place] = 0
+
+
+@subroutine
+def hidden_beside_locked(
+    texture: Texture,
+    colours: NDArray[np.int32],
+    settings: Settings,
+    source: int,
+    y: int,
+    x: int,
+    half_width: NDArray[np.int32],
+    context: Context,
+    hidden: NDArray[np.int32],
+) -> None:
+    """What covering each pixel of a window saves in seams, less what it pays to locked pixels."""
+    seams_x, seams_y = texture.seams_x, texture.seams_y
+    stride, eta, exponent = settings.stride, settings.eta, settings.exponent
+    height, width = seams_x.shape
+    side = half_width.size
+    centre = side // 2
+    locked, here, right = context.locked, context.here, context.right
+    left, below, above = context.left, context.below, context.above
+    for j in range(1, side - 1):
+        row = (y + j - centre) % height
+        reach = half_width[j]
+        for i in range(centre - reach, centre + reach + 1):
+            place = j * side + i
+            column = (x + i - centre) % width
+            new = source + (j - centre) * stride + i - centre
+            saved = np.int64(0)
+            if not (locked[place] and locked[place + 1]):
+                saved += seams_x[row, column]
+                if locked[place]:
+                    saved -= seam_cost(
+                        here[place], right[place], colours[new + 1], colours[new], eta, exponent
+                    )
+                elif locked[place + 1]:
+                    saved -= seam_cost(
+                        colours[new], colours[new + 1], here[place + 1], left[place + 1],
+                        eta, exponent,
+                    )  # fmt: skip
+            if not (locked[place] and locked[place + side]):
+                saved += seams_y[row, column]
+                if locked[place]:
+                    saved -= seam_cost(
+                        here[place], below[place], colours[new + stride], colours[new],
+                        eta, exponent,
+                    )  # fmt: skip
+                elif locked[place + side]:
+                    saved -= seam_cost(
+                        colours[new], colours[new + stride], here[place + side],
+                        above[place + side], eta, exponent,
+                    )  # fmt: skip
+            hidden[place] = max(min(saved, 2 * settings.limit), -2 * settings.limit)
+
+
+@subroutine
+def hidden_by_guide(
+    texture: Texture,
+    guide_colours: NDArray[np.int32],
+    settings: Settings,
+    source: int,
+    y: int,
+    x: int,
+    half_width: NDArray[np.int32],
+    context: Context,
+    hidden: NDArray[np.int32],
+) -> None:
+    """Add what covering each pixel saves in guide costs."""
+    addresses, guide = texture.addresses, texture.guide
+    stride, weight = settings.stride, settings.guide_weight
+    height, width = addresses.shape
+    side = half_width.size
+    centre = side // 2
+    for j in range(1, side - 1):
+        row = (y + j - centre) % height
+        reach = half_width[j]
+        for i in range(centre - reach, centre + reach + 1):
+            place = j * side + i
+            if context.locked[place]:
+                continue
+            column = (x + i - centre) % width
+            wanted = guide[row, column]
+            new = source + (j - centre) * stride + i - centre
+            saved = (
+                np.int64(hidden[place])
+                + guide_cost(guide_colours[addresses[row, column]], wanted, weight)
+                - guide_cost(guide_colours[new], wanted, weight)
+            )
+            hidden[place] = max(min(saved, 2 * settings.limit), -2 * settings.limit)

@@ -1,0 +1,333 @@
+"""Texture synthesis that a caller drives: any parameter may change between two iterations."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numba
+import numpy as np
+from numpy.typing import NDArray
+
+from stylit_ref.randomness.philox import philox4x32, uniform_below
+from stylit_ref.randomness.random_stream import GRID, PATCHES, WHITE_NOISE, random_stream
+from stylit_ref.texture.checks import (
+    check_coordinates,
+    check_guides,
+    check_lock,
+    check_seed,
+    check_size,
+)
+from stylit_ref.texture.exemplars import Exemplars, make_exemplars, packed_planes
+from stylit_ref.texture.formulae.deformation import power_table
+from stylit_ref.texture.formulae.guide_cost import fixed_guide_weight
+from stylit_ref.texture.formulae.polar import MARGIN, Polar, cost_limit, make_polar
+from stylit_ref.texture.formulae.seam_cost import ONE
+from stylit_ref.texture.params import TextureParams
+from stylit_ref.texture.passes.candidates import ring
+from stylit_ref.texture.passes.guide_costs import guide_costs
+from stylit_ref.texture.passes.layout import Settings, Sources, Texture, make_workspace
+from stylit_ref.texture.passes.placement import (
+    ACCEPTED,
+    DEFORMED,
+    PREDICATES,
+    UNTRIED,
+    iterate,
+)
+from stylit_ref.texture.passes.seam_maps import seam_maps
+from stylit_ref.texture.passes.white_noise import white_noise
+
+
+@dataclass(frozen=True)
+class Iteration:
+    """What an iteration did.
+
+    Attributes
+    ----------
+    number : int
+        From 1.
+    radius, max_deformation : int
+        R and D_max that it used; R is smaller than asked for where the texture is too small for it.
+    cells, tried, accepted, deformed : int
+        Patches that had a place, that were fitted, accepted, and accepted deformed.
+    cost : float
+        The cost of S after it, in units of M.
+    """
+
+    number: int
+    radius: int
+    max_deformation: int
+    cells: int
+    tried: int
+    accepted: int
+    deformed: int
+    cost: float
+
+
+class TextureSession:
+    """S, and iterations that improve it (sections 3 to 6).
+
+    Parameters
+    ----------
+    exemplars : sequence of (H, W) or (H, W, c) uint8
+        E, one or several, 1 or 3 channels.
+    size : tuple of int
+        Height and width of the texture; it wraps around.
+    params : TextureParams, optional
+        Those of the first iteration, until :meth:`step` gets others.
+    seed : int
+    known : sequence of (H, W) bool or None, optional
+        Which pixels of each exemplar may be copied.
+    start : (height, width, 3) int32, optional
+        Coordinates to begin with, as :attr:`coordinates` gives them; white noise by default.
+    lock : (height, width) bool, optional
+        Pixels that keep what they have at the start.
+    source_guides : sequence of (H, W) or (H, W, c) uint8, optional
+        A guide for every exemplar, as large as it, 1 or 3 channels.
+    target_guide : (height, width) or (height, width, c) uint8, optional
+        The guide that the texture shall follow.
+
+    Attributes
+    ----------
+    cost : int
+        What S costs, in units of 1/256 of M: the running total.
+    iteration : int
+        Iterations done.
+
+    Raises
+    ------
+    InputError
+        If arrays or parameters do not fit together.
+    """
+
+    exemplars: Exemplars
+    params: TextureParams
+    seed: int
+    cost: int
+    iteration: int
+
+    def __init__(
+        self,
+        exemplars: Sequence[NDArray[np.uint8]],
+        size: tuple[int, int],
+        params: TextureParams | None = None,
+        *,
+        seed: int = 0,
+        known: Sequence[NDArray[np.bool_] | None] | None = None,
+        start: NDArray[np.int32] | None = None,
+        lock: NDArray[np.bool_] | None = None,
+        source_guides: Sequence[NDArray[np.uint8]] | None = None,
+        target_guide: NDArray[np.uint8] | None = None,
+    ) -> None:
+        check_seed(seed)
+        height, width = check_size(size)
+        self.params = TextureParams() if params is None else params
+        self.seed, self.iteration = seed, 0
+        self._known = known
+        self.exemplars = self._lay_out(exemplars, self.params)
+        self._source_guides, guide = check_guides(
+            source_guides, target_guide, self.exemplars.images, (height, width)
+        )
+        self._fit = self._work = None
+        self._fitted(min(self.params.radius, self._largest_radius(height, width)), self.params)
+        addresses = np.empty((height, width), np.int32)
+        if start is None:
+            pixels = np.flatnonzero(self.exemplars.valid).astype(np.int32)
+            white_noise(addresses, pixels, random_stream(seed, WHITE_NOISE))
+        else:
+            start = check_coordinates(start, self.exemplars.images, (height, width))
+            addresses[:] = self.exemplars.addresses(start)
+        locked = check_lock(lock, (height, width))
+        self._has_lock = bool(locked.any())
+        seams = np.empty((2, height, width), np.int32)
+        self._texture = Texture(addresses, *seams, locked, guide)
+        self._count()
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Height and width."""
+        height, width = self._texture.addresses.shape
+        return height, width
+
+    @property
+    def image(self) -> NDArray[np.uint8]:
+        """E[S], with the channels of the exemplars."""
+        return self.exemplars.show(self._texture.addresses)
+
+    @property
+    def coordinates(self) -> NDArray[np.int32]:
+        """S: for every pixel the number of its exemplar, and y and x in quarters of a pixel."""
+        return self.exemplars.coordinates(self._texture.addresses)
+
+    @property
+    def seams(self) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
+        """What the edge to the right of each pixel costs, and the edge below it, in 1/256 of M."""
+        return self._texture.seams_x, self._texture.seams_y
+
+    def recount(self) -> int:
+        """The cost of S, computed anew; :attr:`cost` equals it after every iteration."""
+        running = self.cost
+        self._count()
+        self.cost, counted = running, self.cost
+        return counted
+
+    def step(self, params: TextureParams | None = None) -> Iteration:
+        """Offer every cell of a grid, shifted at random, a patch (section 3).
+
+        Parameters
+        ----------
+        params : TextureParams, optional
+            Those of this iteration and all later ones.
+
+        Returns
+        -------
+        Iteration
+        """
+        if params is not None:
+            self._change(params)
+        params = self.params
+        height, width = self.size
+        radius = min(params.radius_at(self.iteration), self._largest_radius(height, width))
+        fitted = self._fitted(radius, params)
+        shift = min(params.deformation_at(self.iteration), fitted.polar.cosine.size // 4)
+        settings = self._settings(radius, shift, params, fitted)
+        cells = self._cells(radius)
+        number = len(cells)
+        patches = np.empty((number, fitted.polar.radius_at.size), np.int32)
+        outcomes, changes = np.empty(number, np.int64), np.empty(number, np.int64)
+        iterate(
+            self._texture, fitted.sources, fitted.polar, power_table(params.gamma), settings,
+            self._workspace(fitted.polar, params.max_jump, shift), self._stream(PATCHES), cells,
+            patches, outcomes, changes,
+        )  # fmt: skip
+        accepted = (outcomes == ACCEPTED) | (outcomes == DEFORMED)
+        self.cost += int(changes[accepted].sum())
+        self.iteration += 1
+        return Iteration(
+            number=self.iteration,
+            radius=radius,
+            max_deformation=shift,
+            cells=number,
+            tried=int(np.count_nonzero(outcomes != UNTRIED)),
+            accepted=int(np.count_nonzero(accepted)),
+            deformed=int(np.count_nonzero(outcomes == DEFORMED)),
+            cost=self.cost / ONE,
+        )
+
+    def _cells(self, radius):
+        """Centres of the cells; the grid's place is drawn anew in every iteration."""
+        height, width = self.size
+        down, across = max(1, height // (2 * radius)), max(1, width // (2 * radius))
+        stream = self._stream(GRID)
+        words = philox4x32(0, 0, *stream)
+        first_y, first_x = uniform_below(words[0], height), uniform_below(words[1], width)
+        y = (first_y + np.arange(down) * height // down) % height
+        x = (first_x + np.arange(across) * width // across) % width
+        return np.stack(np.meshgrid(y, x, indexing="ij"), axis=-1).reshape(-1, 2).astype(np.int64)
+
+    def _stream(self, purpose):
+        high, low = divmod(self.iteration, 1 << 16)
+        return random_stream(self.seed, purpose, vote=high, iteration=low)
+
+    def _settings(self, radius, shift, params, fitted):
+        return Settings(
+            stride=self.exemplars.stride,
+            plane=self.exemplars.plane,
+            radius=radius,
+            max_jump=params.max_jump,
+            max_shift=shift,
+            eta=params.eta,
+            exponent=params.exponent,
+            limit=cost_limit(fitted.polar, params.max_jump),
+            penalty=params.shift_penalty,
+            fractions=int(self.exemplars.fractions and not params.whole_pixels),
+            predicate=PREDICATES.index(params.predicate),
+            second_pass=int(params.second_pass),
+            prescreened=params.candidates,
+            coherence=round(params.coherence * 65536),
+            tries=params.tries,
+            has_lock=int(self._has_lock),
+            guide_weight=self._guide_weight(),
+        )
+
+    def _fitted(self, radius, params):
+        """What depends on the radius; that of the last one is kept."""
+        key = radius, params.radial_samples, params.angular_samples, params.weighting
+        if self._fit is None or self._fit.key != key:
+            exemplars = self.exemplars
+            centres = exemplars.centres(radius)
+            is_centre = np.zeros(exemplars.plane, np.uint8)
+            is_centre[centres] = 1
+            sources = Sources(
+                colours=exemplars.colours,
+                guide_colours=self._guide_colours,
+                valid=exemplars.valid.ravel(),
+                is_centre=is_centre,
+                centres=centres,
+                inner=(exemplars.distance.ravel() > radius + MARGIN).astype(np.uint8),
+                ring=ring(radius),
+            )
+            self._fit = _Fitted(key, make_polar(*key), sources)
+        return self._fit
+
+    @cached_property
+    def _guide_colours(self):
+        if self._source_guides is None:
+            return np.zeros(1, np.int32)
+        return packed_planes(self._source_guides, self.exemplars.border, self.exemplars.fractions)
+
+    def _workspace(self, polar, jump, shift):
+        key = polar.inside.shape, polar.radius_at.size, jump, shift, numba.get_num_threads()
+        if self._work is None or self._work[0] != key:
+            self._work = key, make_workspace(polar, jump, shift, numba.get_num_threads())
+        return self._work[1]
+
+    def _guide_weight(self):
+        return 0 if self._source_guides is None else fixed_guide_weight(self.params.guide_weight)
+
+    def _count(self):
+        texture, weight = self._texture, self._guide_weight()
+        seam_maps(
+            texture.addresses, self.exemplars.colours, self.exemplars.stride,
+            self.params.eta, self.params.exponent, texture.seams_x, texture.seams_y,
+        )  # fmt: skip
+        self.cost = int(texture.seams_x.sum(dtype=np.int64) + texture.seams_y.sum(dtype=np.int64))
+        if weight:
+            costs = np.empty(self.size, np.int64)
+            guide_costs(texture.addresses, self._guide_colours, texture.guide, weight, costs)
+            self.cost += int(costs.sum())
+
+    def _largest_radius(self, height, width):
+        return max(1, min(height, width) // 2)
+
+    def _lay_out(self, images, params):
+        return make_exemplars(
+            images, params.radius, known=self._known, fractions=_has_fractions(params)
+        )
+
+    def _change(self, params):
+        before, self.params = self.params, params
+        exemplars = self.exemplars
+        if params.radius > exemplars.largest_radius or (
+            _has_fractions(params) and not exemplars.fractions
+        ):
+            coordinates = self.coordinates
+            self.exemplars = self._lay_out(exemplars.images, params)
+            self.__dict__.pop("_guide_colours", None)
+            self._fit = None
+            self._texture.addresses[:] = self.exemplars.addresses(coordinates)
+        counted = "eta", "exponent", "guide_weight"
+        if any(getattr(params, name) != getattr(before, name) for name in counted):
+            self._count()
+
+
+@dataclass(frozen=True)
+class _Fitted:
+    """What depends on the radius of patches."""
+
+    key: tuple
+    polar: Polar
+    sources: Sources
+
+
+def _has_fractions(params):
+    return params.max_deformation > 0 and not params.whole_pixels
