@@ -87,7 +87,8 @@ def fit_patch(
     """
     windows, costs = work.context[thread], work.costs[thread]
     context = Context(windows[0], windows[1], windows[2], windows[3], work.locked[thread])
-    new_x, new_y, hidden, other_patch = costs[0], costs[1], costs[2], costs[3]
+    new_x, new_y = work.new_seams[thread, 0], work.new_seams[thread, 1]
+    hidden, other_patch = costs[0], costs[1]
     saved, crossing, steps = work.saved[thread], work.crossing[thread], work.steps[thread]
     totals, row, paths = work.totals[thread], work.row[thread], work.paths[thread]
     padded = crossing.shape[1]
