@@ -8,9 +8,9 @@ from numpy.typing import NDArray
 
 from stylit_ref.cli.guide_options import add_guide_options, guide_encoding, guide_files
 from stylit_ref.errors import InputError
-from stylit_ref.files.guide_encoding import GuideEncoding
+from stylit_ref.files.guides.encoding import GuideEncoding
+from stylit_ref.files.guides.read_guides import read_guides
 from stylit_ref.files.picture import read_picture
-from stylit_ref.files.read_guides import read_guides
 from stylit_ref.files.read_image import displayed, read_mask, read_uint8
 from stylit_ref.stylization.checks import check_fill, check_guides, check_mask
 

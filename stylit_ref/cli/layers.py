@@ -6,9 +6,10 @@ from pathlib import Path
 
 from stylit_ref.cli.parser import Parser
 from stylit_ref.errors import one_line
-from stylit_ref.files.cryptomatte import cryptomattes_of
-from stylit_ref.files.layer_names import existing_file, whole_name
-from stylit_ref.files.layers import Contents, Layer, contents_of
+from stylit_ref.files.disk.paths import existing_file
+from stylit_ref.files.layers.contents import Contents, Layer, contents_of
+from stylit_ref.files.layers.cryptomatte import cryptomattes_of
+from stylit_ref.files.layers.names import whole_name
 
 _DESCRIPTION = """\
 List the layers of an image file as the other commands call them, their channels, and what each can

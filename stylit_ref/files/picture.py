@@ -8,17 +8,18 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from stylit_ref.files.channels import words_of
-from stylit_ref.files.cryptomatte import (
+from stylit_ref.files.disk.paths import split_layer
+from stylit_ref.files.layers.channels import words_of
+from stylit_ref.files.layers.contents import Layer, contents_of
+from stylit_ref.files.layers.cryptomatte import (
     cryptomattes_of,
     find_cryptomatte,
     find_matte,
     read_labels,
     read_matte,
 )
-from stylit_ref.files.layer_names import find_layer, split_layer
-from stylit_ref.files.layer_pixels import read_layer
-from stylit_ref.files.layers import Layer, contents_of
+from stylit_ref.files.layers.names import find_layer
+from stylit_ref.files.layers.pixels import read_layer
 from stylit_ref.notes import note
 
 
@@ -62,7 +63,7 @@ def read_picture(path: str | Path, *, is_guide: bool = False) -> Picture:
     path : str or Path
     is_guide : bool
         Whether a whole Cryptomatte is read, as labels; and as of
-        :func:`~stylit_ref.files.layer_pixels.read_layer`.
+        :func:`~stylit_ref.files.layers.pixels.read_layer`.
 
     Returns
     -------

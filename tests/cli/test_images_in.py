@@ -7,7 +7,7 @@ from exr_files import write_exr
 
 from stylit_ref import read_image, write_image
 from stylit_ref.cli import main
-from stylit_ref.files.bit_depth import to_linear
+from stylit_ref.files.colour.bit_depth import to_linear
 
 
 def test_weight_without_guide(scene, capsys):

@@ -8,8 +8,8 @@ import pytest
 from icc_profile import icc_profile
 
 from stylit_ref import InputError, read_image, write_image
-from stylit_ref.files.alpha import multiplied_by_alpha
-from stylit_ref.files.colour_profile import ColourProfile, read_colour_profile
+from stylit_ref.files.colour.alpha import multiplied_by_alpha
+from stylit_ref.files.colour.profile import ColourProfile, read_colour_profile
 
 PAGE = Path(__file__).parents[2] / "docs" / "alpha_and_colour.md"
 COLUMNS = "grey", "colour", "alpha", "16 bits", "floating point", "ICC profile"

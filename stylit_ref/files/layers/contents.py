@@ -8,8 +8,8 @@ from pathlib import Path
 import OpenImageIO as oiio
 
 from stylit_ref.errors import InputError
-from stylit_ref.files.channels import choose, is_data, split_names
-from stylit_ref.files.image_file import check_size, open_image
+from stylit_ref.files.disk.image_file import check_size, open_image
+from stylit_ref.files.layers.channels import choose, is_data, split_names
 
 
 @dataclass(frozen=True)
@@ -25,7 +25,7 @@ class Layer:
     numbers : tuple of int
         Numbers of the channels within their part, in the order in which they are read.
     roles : tuple of str
-        What each of them is for, as of :func:`stylit_ref.files.channels.split_names`.
+        What each of them is for, as of :func:`stylit_ref.files.layers.channels.split_names`.
     is_light : bool
         Whether they are colours or luminance; otherwise they are data.
     is_deep : bool

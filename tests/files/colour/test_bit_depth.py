@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from stylit_ref import InputError, to_uint8
-from stylit_ref.files.bit_depth import to_depth, to_linear
+from stylit_ref.files.colour.bit_depth import to_depth, to_linear
 
 
 def test_float_is_scene_linear():

@@ -8,7 +8,7 @@ import pytest
 from exr_files import write_exr
 
 from stylit_ref import InputError, read_image, read_uint8
-from stylit_ref.files.cryptomatte import id_of
+from stylit_ref.files.layers.cryptomatte import id_of
 from stylit_ref.files.read_image import read_mask
 
 NAMES = "Suzanne", "Plane.001", "ns:cube/left"

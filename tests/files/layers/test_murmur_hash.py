@@ -2,7 +2,7 @@
 
 import pytest
 
-from stylit_ref.files.murmur_hash import murmur_hash
+from stylit_ref.files.layers.murmur_hash import murmur_hash
 
 
 @pytest.mark.parametrize(

@@ -1,7 +1,8 @@
 """How the values of a guide become 8 bits: the same way in the source and in every target.
 
-An encoding is chosen once from all pictures of a guide (:mod:`stylit_ref.files.choose_encoding`)
-and then fixed, so that frames and views are encoded alike.
+An encoding is chosen once from all pictures of a guide
+(:mod:`stylit_ref.files.guides.choose_encoding`) and then fixed, so that frames and views are
+encoded alike.
 """
 
 from dataclasses import asdict, dataclass
@@ -11,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
-from stylit_ref.files.bit_depth import to_uint8_by_rows
+from stylit_ref.files.colour.bit_depth import to_uint8_by_rows
 from stylit_ref.files.picture import Picture
 
 _WITH_RANGE = "light", "data"

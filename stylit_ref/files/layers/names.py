@@ -6,53 +6,10 @@ from pathlib import Path
 from typing import Protocol, TypeVar
 
 from stylit_ref.errors import InputError
-from stylit_ref.files.blender_names import other_name
-from stylit_ref.files.layers import Contents, Layer
-from stylit_ref.files.output_file import real_path
+from stylit_ref.files.layers.blender_names import other_name
+from stylit_ref.files.layers.contents import Contents, Layer
 
 _BEAUTY = ("combined", "beauty", "rgba", "full", "color")
-
-
-def split_layer(path: str | Path) -> tuple[Path, str | None]:
-    """Split ``file:LAYER`` into file and layer, unless a file has that whole name.
-
-    Parameters
-    ----------
-    path : str or Path
-
-    Returns
-    -------
-    file : Path
-    layer : str or None
-
-    Raises
-    ------
-    InputError
-        If there is no such file.
-    """
-    real_path(path)
-    text = str(path)
-    colons = [place for place, sign in enumerate(text) if sign == ":"]
-    splits = [(Path(text), None)]
-    splits += [(Path(text[:place]), text[place + 1 :]) for place in reversed(colons)]
-    for file, layer in splits:
-        if file.is_file():
-            return file, layer
-    return existing_file(next((file for file, _ in reversed(splits) if file.suffix), text)), None
-
-
-def existing_file(file: str | Path) -> Path:
-    """Refuse what is no file.
-
-    Raises
-    ------
-    InputError
-    """
-    real_path(file)
-    if not Path(file).is_file():
-        reason = "is a folder; name an image file" if Path(file).is_dir() else "no such file"
-        raise InputError(f"{file}: {reason}")
-    return Path(file)
 
 
 class Named(Protocol):

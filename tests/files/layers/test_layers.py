@@ -8,8 +8,8 @@ import pytest
 from exr_files import write_exr, write_named_parts, write_parts
 
 from stylit_ref import InputError, read_image, read_uint8, write_image
-from stylit_ref.files import image_file
-from stylit_ref.files.channels import choose
+from stylit_ref.files.disk import image_file
+from stylit_ref.files.layers.channels import choose
 
 
 def test_layers_are_found_by_name(tmp_path):

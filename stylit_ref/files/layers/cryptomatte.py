@@ -14,10 +14,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
-from stylit_ref.files.layer_names import fitting, whole_name
-from stylit_ref.files.layer_pixels import read_layer
-from stylit_ref.files.layers import Contents, Layer
-from stylit_ref.files.murmur_hash import murmur_hash
+from stylit_ref.files.layers.contents import Contents, Layer
+from stylit_ref.files.layers.murmur_hash import murmur_hash
+from stylit_ref.files.layers.names import fitting, whole_name
+from stylit_ref.files.layers.pixels import read_layer
 from stylit_ref.notes import note
 
 _RANK = re.compile(r"\d\d(\.[^.]+)?$")

@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
-from stylit_ref.files.choose_encoding import choose_encoding, plain_encoding
-from stylit_ref.files.guide_encoding import GuideEncoding
-from stylit_ref.files.guide_remarks import GuideRemarks
+from stylit_ref.files.guides.choose_encoding import choose_encoding, plain_encoding
+from stylit_ref.files.guides.encoding import GuideEncoding
+from stylit_ref.files.guides.remarks import GuideRemarks
 from stylit_ref.files.picture import Picture, read_picture
 
 
@@ -51,8 +51,8 @@ def read_guides(
         too.
     guide_encoding : {"auto", "none"} or sequence of GuideEncoding
         ``"auto"`` chooses an encoding for each guide from all of its images; integers keep their
-        values (:func:`~stylit_ref.files.choose_encoding.choose_encoding`). ``"none"`` clips what
-        lies outside [0, 1]. Encodings of an earlier call keep further frames alike.
+        values (:func:`~stylit_ref.files.guides.choose_encoding.choose_encoding`). ``"none"`` clips
+        what lies outside [0, 1]. Encodings of an earlier call keep further frames alike.
 
     Returns
     -------

@@ -7,7 +7,7 @@ import pytest
 from PIL import Image
 
 from stylit_ref import InputError, read_image, write_image
-from stylit_ref.files.alpha import divided_by_alpha, multiplied_by_alpha
+from stylit_ref.files.colour.alpha import divided_by_alpha, multiplied_by_alpha
 
 STRAIGHT = np.array([200, 100, 50, 128], np.uint8)
 MULTIPLIED = np.array([100, 50, 25, 128], np.uint8)

@@ -8,7 +8,7 @@ import pytest
 from exr_files import write_exr
 
 from stylit_ref import GuideEncoding, InputError, read_guides, read_uint8, write_image
-from stylit_ref.files.cryptomatte import id_of
+from stylit_ref.files.layers.cryptomatte import id_of
 
 RAMP = np.linspace(0, 1, 48).reshape(6, 8)
 WAVES = np.random.default_rng(0).random((6, 8))

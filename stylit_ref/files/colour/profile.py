@@ -14,9 +14,9 @@ from typing import NamedTuple
 import numpy as np
 import OpenImageIO as oiio
 
-from stylit_ref.files.image_file import open_image
-from stylit_ref.files.layer_names import split_layer
-from stylit_ref.files.png_chunks import read_chunks, replace_chunks
+from stylit_ref.files.disk.image_file import open_image
+from stylit_ref.files.disk.paths import split_layer
+from stylit_ref.files.disk.png_chunks import read_chunks, replace_chunks
 from stylit_ref.notes import note
 
 _SRGB_GAMMA = 1 / 0.45455

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from stylit_ref.files.guide_encoding import FAR, GuideEncoding, label_name, labels_of
+from stylit_ref.files.guides.encoding import FAR, GuideEncoding, label_name, labels_of
 from stylit_ref.files.picture import Picture
 from stylit_ref.notes import note
 

@@ -7,8 +7,8 @@ from typing import NamedTuple
 import numpy as np
 
 from stylit_ref.errors import InputError
-from stylit_ref.files.guide_encoding import FAR, GuideEncoding, labels_of
-from stylit_ref.files.label_colours import MOST_LABELS, distinct_colours
+from stylit_ref.files.guides.encoding import FAR, GuideEncoding, labels_of
+from stylit_ref.files.guides.label_colours import MOST_LABELS, distinct_colours
 from stylit_ref.files.picture import Picture
 
 MOST_CLIPPED = 0.005

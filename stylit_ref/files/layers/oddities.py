@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import OpenImageIO as oiio
 
-from stylit_ref.files.layers import Layer
+from stylit_ref.files.layers.contents import Layer
 from stylit_ref.notes import note
 
 _SRGB = (0.64, 0.33, 0.30, 0.60, 0.15, 0.06, 0.3127, 0.3290)

@@ -1,10 +1,7 @@
-"""Write files so that a failure never leaves a partial file behind."""
+"""Names of files that are read or written: what cannot be one is refused before the work begins."""
 
 import os
-import secrets
-import shutil
-from collections.abc import Iterable, Iterator
-from contextlib import contextmanager, suppress
+from collections.abc import Iterable
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -30,6 +27,48 @@ def real_path(path: str | Path) -> Path:
     except ValueError:
         raise InputError(f"{path!r}: is not valid UTF-8; give the file another name") from None
     return place
+
+
+def split_layer(path: str | Path) -> tuple[Path, str | None]:
+    """Split ``file:LAYER`` into file and layer, unless a file has that whole name.
+
+    Parameters
+    ----------
+    path : str or Path
+
+    Returns
+    -------
+    file : Path
+    layer : str or None
+
+    Raises
+    ------
+    InputError
+        If there is no such file.
+    """
+    real_path(path)
+    text = str(path)
+    colons = [place for place, sign in enumerate(text) if sign == ":"]
+    splits = [(Path(text), None)]
+    splits += [(Path(text[:place]), text[place + 1 :]) for place in reversed(colons)]
+    for file, layer in splits:
+        if file.is_file():
+            return file, layer
+    return existing_file(next((file for file, _ in reversed(splits) if file.suffix), text)), None
+
+
+def existing_file(file: str | Path) -> Path:
+    """Refuse what is no file.
+
+    Raises
+    ------
+    InputError
+    """
+    real_path(file)
+    if not Path(file).is_file():
+        reason = "is a folder; name an image file" if Path(file).is_dir() else "no such file"
+        raise InputError(f"{file}: {reason}")
+    return Path(file)
 
 
 def check_writable(path: str | Path) -> None:
@@ -84,38 +123,6 @@ def nearest_folder(folder: str | Path) -> Path:
     return next(part for part in (place, *place.parents) if part.exists())
 
 
-def _make_folder(folder):
-    """Make a folder and those it lies in; returns what was made, the innermost first."""
-    made = []
-    try:
-        for part in reversed([folder, *folder.parents]):
-            if not part.exists():
-                with suppress(FileExistsError):  # another process was faster
-                    part.mkdir()
-                    made.insert(0, part)
-    except OSError as error:
-        _remove_folders(made)
-        raise InputError(f"{folder}: the folder cannot be made: {error.strerror}") from None
-    return made
-
-
-def _remove_folders(folders):
-    for folder in folders:
-        with suppress(OSError):  # another process has put something there
-            folder.rmdir()
-
-
-@contextmanager
-def temporary_name(path: str | Path) -> Iterator[Path]:
-    """A new name beside ``path``, with its suffix; a file of that name is removed at the end."""
-    path = Path(path)
-    name = path.with_name(f".{secrets.token_hex(8)}{path.suffix}")
-    try:
-        yield name
-    finally:
-        name.unlink(missing_ok=True)
-
-
 def check_distinct(
     outputs: Iterable[str | Path | None], inputs: Iterable[str | Path | None] = ()
 ) -> None:
@@ -140,54 +147,3 @@ def check_distinct(
         if place in taken:
             raise InputError(f"{path}: {taken[place]}; name another file")
         taken[place] = "two outputs have this name"
-
-
-@contextmanager
-def whole_file(path: str | Path, size: int) -> Iterator[Path]:
-    """Write to a temporary name, which becomes ``path`` when the block succeeds.
-
-    If the block fails, no partial file is left, nor a folder that was made for it. A link is
-    followed.
-
-    Parameters
-    ----------
-    path : str or Path
-    size : int
-        Bytes that the file may need. The free space is checked first, since some image libraries
-        report no error when the disk is full.
-
-    Raises
-    ------
-    InputError
-        If the disk has too little space, or the file cannot be written.
-    """
-    path, place = Path(path), real_path(path)
-    made = _make_folder(place.parent)
-    try:
-        free = shutil.disk_usage(place.parent).free
-        if free < size:
-            raise InputError(
-                f"{path}: cannot be written: it may need {size / 2**20:.1f} MiB, and the disk has "
-                f"{free / 2**20:.1f} MiB free"
-            )
-        with temporary_name(place) as partial:
-            yield partial
-            os.replace(partial, place)
-    except BaseException as error:
-        _remove_folders(made)
-        if isinstance(error, OSError):
-            raise InputError(f"{path}: cannot be written: {error.strerror or error}") from error
-        raise
-
-
-def write_text(path: str | Path, text: str) -> None:
-    """Write a text in UTF-8; a failure leaves no partial file.
-
-    Raises
-    ------
-    InputError
-        As :func:`whole_file`.
-    """
-    content = text.encode()
-    with whole_file(path, len(content)) as partial:
-        partial.write_bytes(content)

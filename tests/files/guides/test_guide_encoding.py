@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from stylit_ref import GuideEncoding, InputError, to_uint8
-from stylit_ref.files.choose_encoding import choose_encoding
+from stylit_ref.files.guides.choose_encoding import choose_encoding
 from stylit_ref.files.picture import Picture
 
 RNG = np.random.default_rng(0)

@@ -7,11 +7,11 @@ import OpenImageIO as oiio
 from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
-from stylit_ref.files.alpha import OURS_TO_MULTIPLY, multiplied_by_alpha
-from stylit_ref.files.bmp_header import BLUE_FIRST, channel_masks
-from stylit_ref.files.image_file import check_size, open_image, read_pixels, reason_of
-from stylit_ref.files.layers import Layer
-from stylit_ref.files.oddities import note_oddities
+from stylit_ref.files.colour.alpha import OURS_TO_MULTIPLY, multiplied_by_alpha
+from stylit_ref.files.disk.bmp_header import BLUE_FIRST, channel_masks
+from stylit_ref.files.disk.image_file import check_size, open_image, read_pixels, reason_of
+from stylit_ref.files.layers.contents import Layer
+from stylit_ref.files.layers.oddities import note_oddities
 
 _DEPTHS = {"uint8": "uint8", "uint16": "uint16"} | dict.fromkeys(
     ("half", "float", "double"), "float"
@@ -35,7 +35,7 @@ def read_layer(
     file : Path
     layer : Layer
     straight : bool
-        As of :func:`~stylit_ref.files.image_file.open_image`.
+        As of :func:`~stylit_ref.files.disk.image_file.open_image`.
     is_guide : bool
         Whether data may be infinite, as the depth of a pixel where nothing is, and a channel of
         32-bit integers is read as labels.

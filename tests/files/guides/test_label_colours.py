@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from stylit_ref.files.label_colours import MOST_LABELS, distinct_colours
+from stylit_ref.files.guides.label_colours import MOST_LABELS, distinct_colours
 
 
 def test_each_colour_is_the_farthest_from_those_before():

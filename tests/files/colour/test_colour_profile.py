@@ -11,8 +11,8 @@ from icc_profile import icc_profile
 from PIL import Image, ImageCms
 
 from stylit_ref import read_image, write_image
-from stylit_ref.files.colour_profile import ColourProfile, note_another_profile, read_colour_profile
-from stylit_ref.files.png_chunks import read_chunks, replace_chunks
+from stylit_ref.files.colour.profile import ColourProfile, note_another_profile, read_colour_profile
+from stylit_ref.files.disk.png_chunks import read_chunks, replace_chunks
 
 ICC = icc_profile()
 WIDE = 0.735, 0.265, 0.115, 0.826, 0.157, 0.018, 0.3127, 0.329
