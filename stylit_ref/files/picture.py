@@ -9,8 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stylit_ref.files.disk.paths import split_layer
-from stylit_ref.files.layers.channels import words_of
-from stylit_ref.files.layers.contents import Layer, contents_of
+from stylit_ref.files.layers.contents import contents_of
 from stylit_ref.files.layers.cryptomatte import (
     cryptomattes_of,
     find_cryptomatte,
@@ -86,8 +85,8 @@ def read_picture(path: str | Path, *, is_guide: bool = False) -> Picture:
     if matte:
         return Picture(read_matte(path, file, *matte), None, False, matte[1])
     layer = find_layer(file, name, contents)
-    if contents.has_frames:
-        note(f"{path}: holds several images; the first is read")
+    if contents.left_out:
+        note(f"{path}: {contents.left_out}")
     pixels = read_layer(path, file, layer, is_guide=is_guide)
     alpha_channel = layer.alpha_channel
     if alpha_channel is not None:
@@ -101,16 +100,11 @@ def read_picture(path: str | Path, *, is_guide: bool = False) -> Picture:
     if layer.roles[:3] == ("Y", "RY", "BY"):
         pixels = _colours_of_luminance(pixels)
     known_as = _last(layer.name) if name and layer.name else file.name
-    return Picture(pixels, alpha_channel, layer.is_light, known_as, _words(layer))
+    return Picture(pixels, alpha_channel, layer.is_light, known_as, layer.words)
 
 
 def _last(name):
     return name.rpartition(".")[2]
-
-
-def _words(layer: Layer):
-    names = layer.name, *layer.also, *(channel.name for channel in layer.channels)
-    return frozenset().union(*map(words_of, names))
 
 
 def _colours_of_luminance(pixels):

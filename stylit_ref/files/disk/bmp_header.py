@@ -1,17 +1,22 @@
-"""Which bits of a 32-bit BMP file are red, green, blue and alpha, where its header says so."""
+"""Which bytes of a 32-bit BMP file are red, green, blue and alpha, where its header says so.
+
+OpenImageIO takes them for blue, green, red and alpha, whatever the header says.
+"""
 
 import struct
 from pathlib import Path
 
-BLUE_FIRST = 0xFF0000, 0xFF00, 0xFF
-"""Bits of red, green and blue as OpenImageIO reads them, whatever the header says."""
+from stylit_ref.errors import InputError
+
+_NUMBERS = {0xFF0000: 0, 0xFF00: 1, 0xFF: 2, 0xFF000000: 3}
+"""By the bits of a byte, the number of the channel that OpenImageIO makes of it."""
 
 _BITS_PER_PIXEL, _COMPRESSION, _MASKS = 28, 30, 54
 _BITFIELDS = 3, 6
 
 
-def channel_masks(file: str | Path) -> tuple[int, int, int, int] | None:
-    """Read the masks of a 32-bit BMP file.
+def channel_numbers(file: str | Path) -> dict[str, int] | None:
+    """Find the channels of a 32-bit BMP file.
 
     Parameters
     ----------
@@ -19,9 +24,25 @@ def channel_masks(file: str | Path) -> tuple[int, int, int, int] | None:
 
     Returns
     -------
-    tuple of 4 int or None
-        Of red, green, blue and alpha, 0 where there is none; None if the header has no masks.
+    dict of str to int or None
+        By ``R``, ``G``, ``B`` and, if there is one, ``A``, the number of the channel that
+        OpenImageIO makes of it; None if the header does not say.
+
+    Raises
+    ------
+    InputError
+        If a channel has other bits than those of a byte.
     """
+    masks = _masks(file)
+    if masks is None:
+        return None
+    roles = "RGBA" if masks[3] else "RGB"
+    if not set(masks[: len(roles)]) <= _NUMBERS.keys():
+        raise InputError(f"{file}: has channels of other than 8 bits; save it as .png")
+    return {role: _NUMBERS[mask] for role, mask in zip(roles, masks, strict=False)}
+
+
+def _masks(file):
     with Path(file).open("rb") as content:
         header = content.read(_MASKS + 16)
     if len(header) < _MASKS + 16:

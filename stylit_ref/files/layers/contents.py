@@ -8,8 +8,9 @@ from pathlib import Path
 import OpenImageIO as oiio
 
 from stylit_ref.errors import InputError
+from stylit_ref.files.disk.bmp_header import channel_numbers
 from stylit_ref.files.disk.image_file import check_size, open_image
-from stylit_ref.files.layers.channels import choose, is_data, split_names
+from stylit_ref.files.layers.channels import choose, is_data, split_names, words_of
 
 
 @dataclass(frozen=True)
@@ -28,8 +29,12 @@ class Layer:
         What each of them is for, as of :func:`stylit_ref.files.layers.channels.split_names`.
     is_light : bool
         Whether they are colours or luminance; otherwise they are data.
+    types : tuple of str
+        The type of the values of each of them, as OpenImageIO calls it.
     is_deep : bool
         Whether a pixel has any number of values, at several depths.
+    file_format : str
+        Of its file, as OpenImageIO calls it.
     also : tuple of str
         Other names of the layer: of its part, and of its view.
     channels : tuple of Layer
@@ -41,7 +46,9 @@ class Layer:
     numbers: tuple[int, ...]
     roles: tuple[str, ...]
     is_light: bool
+    types: tuple[str, ...]
     is_deep: bool
+    file_format: str
     also: tuple[str, ...]
     channels: tuple["Layer", ...] = ()
 
@@ -50,6 +57,12 @@ class Layer:
         """Index of the alpha channel; what is alone is data."""
         return len(self.roles) - 1 if len(self.roles) > 1 and self.roles[-1] == "A" else None
 
+    @property
+    def words(self) -> frozenset[str]:
+        """Those of its names and its channels' names."""
+        names = self.name, *self.also, *(channel.name for channel in self.channels)
+        return frozenset().union(*map(words_of, names))
+
 
 @dataclass
 class Contents:
@@ -57,16 +70,18 @@ class Contents:
 
     Attributes
     ----------
+    file : Path
     layers : list of Layer
     cryptomatte : dict of str to str
         What the headers of all parts say about Cryptomatte.
-    has_frames : bool
-        Whether there are more images, without a name: frames or pages.
+    left_out : str
+        What is told of other images that have no name: frames, pages or sizes.
     """
 
+    file: Path
     layers: list[Layer] = field(default_factory=list)
     cryptomatte: dict[str, str] = field(default_factory=dict)
-    has_frames: bool = False
+    left_out: str = ""
 
 
 def contents_of(file: str | Path) -> Contents:
@@ -85,28 +100,71 @@ def contents_of(file: str | Path) -> Contents:
 
 def _contents_of(file):
     image = open_image(file)
-    contents, part = Contents(), 0
-    while image.seek_subimage(part, 0):
-        spec = image.spec()
-        if image.format_name() != "openexr":  # others are decoded whole
-            check_size(file, spec, spec.nchannels)
-        contents.cryptomatte |= _said_of_cryptomatte(spec)
-        has_name = part == 0 or any("." in name for name in spec.channelnames) or _part_name(spec)
-        if not has_name:
-            contents.has_frames = True
-            break
-        taken = {layer.name for layer in contents.layers}
-        contents.layers.extend(_layers_of_part(spec, part, taken))
-        part += 1
+    contents = Contents(Path(file))
+    if image.format_name() == "ico":
+        _add_largest(contents, image)
+    else:
+        _add_parts(contents, image)
     image.close()
     return contents
 
 
-def _layers_of_part(spec: oiio.ImageSpec, part: int, taken: set[str]) -> Iterator[Layer]:
+def _add_parts(contents: Contents, image: oiio.ImageInput) -> None:
+    part = 0
+    while image.seek_subimage(part, 0):
+        spec = image.spec()
+        has_name = any("." in name for name in spec.channelnames) or _part_name(spec)
+        if part and not has_name:
+            contents.left_out = "holds several images; the first is read"
+            break
+        _add_part(contents, image, part)
+        part += 1
+
+
+def _add_largest(contents: Contents, image: oiio.ImageInput) -> None:
+    """Add what there is in the largest image of an icon, of several the one of most colours."""
+    sizes, part = [], 0
+    while image.seek_subimage(part, 0):
+        spec = image.spec()
+        bits = spec.get_int_attribute("oiio:BitsPerSample", 8)
+        sizes.append((spec.width * spec.height, bits))
+        part += 1
+    if part > 1:
+        contents.left_out = "holds several images; the largest is read"
+    largest = sizes.index(max(sizes))
+    image.seek_subimage(largest, 0)
+    _add_part(contents, image, largest)
+
+
+def _add_part(contents: Contents, image: oiio.ImageInput, part: int) -> None:
+    """Add what there is in the part that the image stands at."""
+    spec, file_format = image.spec(), image.format_name()
+    if file_format != "openexr":  # others are decoded whole
+        check_size(contents.file, spec, spec.nchannels)
+    if file_format == "bmp":
+        _name_channels_of_bmp(contents.file, spec)
+    contents.cryptomatte |= _said_of_cryptomatte(spec)
+    taken = {layer.name for layer in contents.layers}
+    contents.layers.extend(_layers_of_part(spec, part, taken, file_format))
+
+
+def _name_channels_of_bmp(file, spec):
+    """Name the channels as the header of the file does, and those that mean nothing not at all."""
+    numbers = channel_numbers(file)
+    if numbers:
+        names = {number: role for role, number in numbers.items()}
+        spec.channelnames = tuple(names.get(number, "") for number in range(spec.nchannels))
+        spec.alpha_channel = numbers.get("A", -1)
+
+
+def _layers_of_part(
+    spec: oiio.ImageSpec, part: int, taken: set[str], file_format: str
+) -> Iterator[Layer]:
     members = defaultdict(list)
     for number, (prefix, role) in enumerate(split_names(spec.channelnames)):
         is_alpha = not prefix and number == spec.alpha_channel
-        members[prefix].append((number, "A" if is_alpha else role))
+        if role:
+            members[prefix].append((number, "A" if is_alpha else role))
     for prefix, entries in members.items():
         numbers, roles = zip(*entries, strict=True)
         chosen, is_light = choose(roles)
@@ -118,19 +176,19 @@ def _layers_of_part(spec: oiio.ImageSpec, part: int, taken: set[str]) -> Iterato
             tuple(numbers[k] for k in chosen),
             tuple(roles[k] for k in chosen),
             is_light,
+            tuple(str(spec.channelformat(numbers[k])) for k in chosen),
             spec.deep,
+            file_format,
             tuple(also),
         )
         has_own_names = name in ("", prefix)
-        channels = [
-            _channel(layer, spec.channelnames[number], number, role, has_own_names)
-            for number, role in entries
-        ]
+        channels = [_channel(layer, spec, number, role, has_own_names) for number, role in entries]
         yield replace(layer, channels=tuple(channels))
 
 
-def _channel(layer, own, number, role, has_own_name):
+def _channel(layer, spec, number, role, has_own_name):
     """A channel as a layer of its own; its name in the file may be that of others too."""
+    own = spec.channelnames[number]
     last = own.rpartition(".")[2]
     also = [f"{name}.{end}" for name in (layer.name, *layer.also) if name for end in (last, role)]
     return replace(
@@ -139,6 +197,7 @@ def _channel(layer, own, number, role, has_own_name):
         numbers=(number,),
         roles=(role,),
         is_light=layer.is_light and role in ("R", "G", "B", "Y"),
+        types=(str(spec.channelformat(number)),),
         also=tuple(also if layer.name else [*also, role]),
     )
 

@@ -3,12 +3,10 @@
 from pathlib import Path
 
 import numpy as np
-import OpenImageIO as oiio
 from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
 from stylit_ref.files.colour.alpha import OURS_TO_MULTIPLY, multiplied_by_alpha
-from stylit_ref.files.disk.bmp_header import BLUE_FIRST, channel_masks
 from stylit_ref.files.disk.image_file import check_size, open_image, read_pixels, reason_of
 from stylit_ref.files.layers.contents import Layer
 from stylit_ref.files.layers.oddities import note_oddities
@@ -50,10 +48,8 @@ def read_layer(
     InputError
         If it cannot be read, is too large, or holds NaN or infinity.
     """
-    source = open_image(file, straight=straight)
-    is_straight = source.format_name() in OURS_TO_MULTIPLY
-    if is_straight:
-        source = open_image(file, straight=True)
+    is_straight = straight or layer.file_format in OURS_TO_MULTIPLY
+    source = open_image(file, straight=is_straight)
     source.seek_subimage(layer.part, 0)
     spec = source.spec()
     if layer.is_deep:  # OpenImageIO would return pixels that it did not fill
@@ -62,16 +58,11 @@ def read_layer(
         )
     check_size(file, spec, len(layer.numbers))
     is_data_of_guide = is_guide and not layer.is_light
-    depth = _depth(path, spec, layer, is_data_of_guide)
+    depth = _depth(path, layer, is_data_of_guide)
     pixels = read_pixels(source, layer.part, layer.numbers, depth)
     if pixels is None:
         raise InputError(f"{file}: cannot be read: {reason_of(source.geterror)}")
-    masks = channel_masks(file) if source.format_name() == "bmp" else None
-    if masks and masks[:3] != BLUE_FIRST:
-        raise InputError(f"{path}: stores its channels in an unusual order; save it as .png")
-    if masks and not masks[3] and layer.alpha_channel is not None:
-        pixels[:, :, layer.alpha_channel] = 255  # a byte that means nothing
-    if source.format_name() == "targa":  # the one that can also hold them multiplied
+    if layer.file_format == "targa":  # the one that can also hold them multiplied
         is_straight = spec.get_int_attribute("oiio:UnassociatedAlpha") == 1
     source.close()
     note_oddities(path, file, spec, layer)
@@ -85,9 +76,9 @@ def read_layer(
     return pixels
 
 
-def _depth(path, spec: oiio.ImageSpec, layer, may_be_labels):
+def _depth(path, layer, may_be_labels):
     """The type in which the values are read."""
-    stored = {str(spec.channelformat(number)) for number in layer.numbers}
+    stored = set(layer.types)
     if may_be_labels and len(layer.numbers) == 1 and stored == {"uint"}:
         return "uint"
     if not stored <= _DEPTHS.keys():

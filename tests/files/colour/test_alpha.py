@@ -1,8 +1,10 @@
 """Colours and alpha, by another library's files and eyes."""
 
 import struct
+from itertools import permutations
 
 import numpy as np
+import OpenImageIO as oiio
 import pytest
 from PIL import Image
 
@@ -69,7 +71,29 @@ def test_a_bitmap_with_alpha_has_it(tmp_path):
     np.testing.assert_array_equal(read_image(tmp_path / "a.bmp"), np.full((2, 2, 4), MULTIPLIED))
 
 
-def test_a_bitmap_in_another_order_is_refused(tmp_path):
-    (tmp_path / "r.bmp").write_bytes(bitmap((0xFF000000, 0xFF0000, 0xFF00, 0xFF)))
-    with pytest.raises(InputError, match=r"r\.bmp: stores its channels in an unusual order"):
+BYTES = {50: 0xFF, 100: 0xFF00, 200: 0xFF0000, 128: 0xFF000000}
+
+
+@pytest.mark.parametrize("order", list(permutations(BYTES)))
+def test_a_bitmap_says_the_order_of_its_channels(tmp_path, order):
+    (tmp_path / "r.bmp").write_bytes(bitmap([BYTES[value] for value in order]))
+    expected = multiplied_by_alpha(np.full((2, 2, 4), order, np.uint8))
+    np.testing.assert_array_equal(read_image(tmp_path / "r.bmp"), expected)
+    (tmp_path / "x.bmp").write_bytes(bitmap([*(BYTES[value] for value in order[:3]), 0]))
+    np.testing.assert_array_equal(read_image(tmp_path / "x.bmp"), np.full((2, 2, 3), order[:3]))
+
+
+def test_a_bitmap_whose_channels_are_no_bytes_is_refused(tmp_path):
+    (tmp_path / "r.bmp").write_bytes(bitmap((0x3FF00000, 0xFFC00, 0x3FF, 0)))
+    with pytest.raises(InputError, match=r"r\.bmp: has channels of other than 8 bits; save it as"):
         read_image(tmp_path / "r.bmp")
+
+
+@pytest.mark.parametrize("suffix", ["bmp", "tga", "png"])
+def test_a_file_is_opened_for_its_header_and_for_its_pixels(tmp_path, monkeypatch, suffix):
+    """Some formats decode the whole image each time."""
+    write_image(tmp_path / f"a.{suffix}", np.full((8, 8, 4), MULTIPLIED, np.uint8))
+    opened, opens = [], oiio.ImageInput.open
+    monkeypatch.setattr(oiio.ImageInput, "open", lambda *of: opened.append(of) or opens(*of))
+    read_image(tmp_path / f"a.{suffix}")
+    assert len(opened) == 2

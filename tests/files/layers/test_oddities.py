@@ -92,6 +92,23 @@ def test_several_images_in_one_file(tmp_path, caplog, suffix):
     assert told(caplog) == [(logging.INFO, f"{file}: holds several images; the first is read")]
 
 
+@pytest.mark.parametrize("sizes", [(16, 48, 32), (48, 16), (16, 16, 48)])
+def test_several_sizes_in_one_icon(tmp_path, caplog, sizes):
+    file = tmp_path / "a.ico"
+    specs = [oiio.ImageSpec(size, size, 4, "uint8") for size in sizes]
+    output = oiio.ImageOutput.create(str(file))
+    assert output.open(str(file), tuple(specs))
+    for number, spec in enumerate(specs):
+        if number:
+            assert output.open(str(file), spec, "AppendSubimage")
+        assert output.write_image(np.full((spec.height, spec.width, 4), 200 - number, np.uint8))
+    output.close()
+    image = read_image(file)
+    assert image.shape == (48, 48, 4)
+    assert (image[:, :, 3] == 200 - sizes.index(48)).all()
+    assert told(caplog) == [(logging.INFO, f"{file}: holds several images; the largest is read")]
+
+
 def test_parts_and_views_are_no_frames(tmp_path, caplog):
     read_image(write_parts(tmp_path / "a.exr", {"beauty": 0.25, "LDE": 0.5}))
     views = [({"name": name, "view": name}, {"R": 0.5}) for name in ("left", "right")]
