@@ -14,8 +14,8 @@ from stylit_ref.files.layers.names import whole_name
 _DESCRIPTION = """\
 List the layers of an image file as the other commands call them, their channels, and what each can
 serve as. A picture goes through the sRGB curve where it is floating point, data does not. What has
-one channel can also be a mask. A Cryptomatte has a matte for each name, and without a name it is a
-guide of labels. For instance:
+one channel can also be a mask. Labels are IDs: as a guide each has a colour of its own. A
+Cryptomatte has a matte for each name, and without a name it is labels. For instance:
 
   stylit-ref layers scene.exr"""
 
@@ -52,8 +52,9 @@ def _rows(file: Path, contents: Contents) -> Iterator[tuple[str, str, str]]:
                 if not colours.issuperset(channel.numbers):
                     yield _row(file, channel)
     for cryptomatte in cryptomattes:
+        yield _shown(file, cryptomatte.name), "", "labels"
         name = _shown(file, f"{cryptomatte.name}/NAME")
-        yield name, "", one_line(f"mask, data: Cryptomatte; {cryptomatte.known_names}")
+        yield name, "", one_line(f"mask, data: Cryptomatte; {cryptomatte.manifest.known_names}")
 
 
 def _row(file, layer):
@@ -63,8 +64,9 @@ def _row(file, layer):
 def _serves_as(layer: Layer) -> str:
     if layer.is_deep:
         return "nothing: its pixels are deep; oiiotool --flatten makes a picture of them"
-    kind = "picture" if layer.is_light else "data"
-    return f"mask, {kind}" if len(layer.roles) == 1 else kind
+    uses = ["mask"] if len(layer.roles) == 1 else []
+    uses.append("picture" if layer.is_light else "data")
+    return ", ".join([*uses, "labels"] if layer.may_be_labels else uses)
 
 
 def _shown(file, name):

@@ -78,7 +78,7 @@ def read_picture(path: str | Path, *, is_guide: bool = False) -> Picture:
     cryptomattes = cryptomattes_of(contents)
     cryptomatte = find_cryptomatte(name, cryptomattes) if is_guide else None
     if cryptomatte:
-        names = {number: name for name, number in (cryptomatte.manifest or {}).items()}
+        names = {number: name for name, number in cryptomatte.manifest.ids.items()}
         labels = read_labels(path, file, cryptomatte)
         return Picture(labels, None, False, _last(cryptomatte.name), labels=names)
     matte = find_matte(file, name, cryptomattes)

@@ -110,6 +110,20 @@ class TestRefusals:
         assert "no layer 'LDDE'" in message
         assert "LDE, LSE" in message
 
+    @pytest.mark.parametrize(
+        ("role", "other_way"),
+        [("guide", ", or name layers of both files with --guide-layers"), ("style", "")],
+    )
+    def test_a_file_without_an_unnamed_layer(self, scene, capsys, role, other_way):
+        folder = scene[0]
+        file = write_exr(folder / "a.exr", {"V.Combined.R": 0.5, "V.DiffDir.R": 0.5})
+        names = {"style": "a.exr"} if role == "style" else {"guides": ("a.exr", "a.exr")}
+        message = refused(capsys, run(folder, **names))
+        assert message == (
+            f"stylit-ref: {file}: has several layers; write {file}:V.Combined{other_way}; "
+            "its layers are: V.Combined, V.DiffDir"
+        )
+
     def test_nan(self, scene, capsys):
         folder = scene[0]
         write_exr(folder / "nan.exr", {"R": np.nan, "G": 0, "B": 0}, (40, 46))

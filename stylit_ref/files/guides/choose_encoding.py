@@ -9,14 +9,12 @@ import numpy as np
 from stylit_ref.errors import InputError
 from stylit_ref.files.guides.encoding import FAR, GuideEncoding, labels_of
 from stylit_ref.files.guides.label_colours import MOST_LABELS, distinct_colours
+from stylit_ref.files.layers.channels import are_labels
 from stylit_ref.files.picture import Picture
 
 MOST_CLIPPED = 0.005
 """The largest share of any picture that may be clipped at either end."""
 
-_LABELS = {
-    "id", "ids", "index", "indexma", "indexob", "materialid", "matid", "objectid", "objid",
-}  # fmt: skip
 _SIGNED = {"motion", "normal", "normals", "vector", "vectors", "velocity"}
 _LARGEST_WHOLE = 1 << 24
 """Beyond it floats are not one apart."""
@@ -124,7 +122,7 @@ def _values(picture):
 def _has_labels(picture):
     if picture.pixels.dtype != np.float32 or picture.is_light:
         return picture.pixels.dtype == np.uint32
-    if picture.pixels.shape[2] > 1 or _LABELS.isdisjoint(picture.words):
+    if picture.pixels.shape[2] > 1 or not are_labels(picture.words):
         return False
     values = picture.pixels
     return bool((values == np.floor(values)).all() and (np.abs(values) < _LARGEST_WHOLE).all())

@@ -2,7 +2,7 @@
 
 import re
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
 
 _SPELLED_OUT = {"RED": "R", "GREEN": "G", "BLUE": "B", "ALPHA": "A"}
 _WITHOUT_A_DOT = re.compile(
@@ -13,6 +13,9 @@ _DATA = {
     "crypto", "cryptomatte", "depth", "disparity", "id", "idmask", "ids", "index", "mask", "masks",
     "matte", "mattes", "mist", "normal", "normals", "pos", "position", "positions", "uv", "vector",
     "vectors", "velocity", "z",
+}  # fmt: skip
+_LABELS = {
+    "id", "ids", "index", "indexma", "indexob", "materialid", "matid", "objectid", "objid",
 }  # fmt: skip
 _WORD = re.compile(r"[A-Z]?[a-z]+|[A-Z]+(?![a-z])")
 
@@ -79,6 +82,11 @@ def choose(roles: Sequence[str]) -> tuple[list[int], bool]:
 def is_data(layer: str) -> bool:
     """Whether the name of a layer says that it is no light: depth, normals, IDs, masks, ..."""
     return not _DATA.isdisjoint(words_of(layer.rpartition(".")[2]))
+
+
+def are_labels(words: Set[str]) -> bool:
+    """Whether the words of a layer's names say that its whole numbers are indices or IDs."""
+    return not _LABELS.isdisjoint(words)
 
 
 def words_of(name: str) -> set[str]:

@@ -10,7 +10,7 @@ import OpenImageIO as oiio
 from stylit_ref.errors import InputError
 from stylit_ref.files.disk.bmp_header import channel_numbers
 from stylit_ref.files.disk.image_file import check_size, open_image
-from stylit_ref.files.layers.channels import choose, is_data, split_names, words_of
+from stylit_ref.files.layers.channels import are_labels, choose, is_data, split_names, words_of
 
 
 @dataclass(frozen=True)
@@ -56,6 +56,12 @@ class Layer:
     def alpha_channel(self) -> int | None:
         """Index of the alpha channel; what is alone is data."""
         return len(self.roles) - 1 if len(self.roles) > 1 and self.roles[-1] == "A" else None
+
+    @property
+    def may_be_labels(self) -> bool:
+        """Whether its values are labels where they are whole numbers."""
+        is_called_so = are_labels(self.words) or self.types == ("uint",)
+        return is_called_so and len(self.roles) == 1 and not self.is_light
 
     @property
     def words(self) -> frozenset[str]:

@@ -4,7 +4,6 @@ A pixel has pairs of an ID and a coverage, spread over the layers ``NAME00``, ``
 is the hash of an object's name, whose bits are stored as those of a float.
 """
 
-import json
 import logging
 import re
 from pathlib import Path
@@ -15,6 +14,7 @@ from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
 from stylit_ref.files.layers.contents import Contents, Layer
+from stylit_ref.files.layers.manifest import Manifest, read_manifest
 from stylit_ref.files.layers.murmur_hash import murmur_hash
 from stylit_ref.files.layers.names import fitting, whole_name
 from stylit_ref.files.layers.pixels import read_layer
@@ -22,8 +22,6 @@ from stylit_ref.notes import note
 
 _RANK = re.compile(r"\d\d(\.[^.]+)?$")
 """What a layer's name, or a channel's, has more than its Cryptomatte's."""
-
-_SHOWN_NAMES = 30
 
 
 class Cryptomatte(NamedTuple):
@@ -35,41 +33,32 @@ class Cryptomatte(NamedTuple):
         For instance ``ViewLayer.CryptoObject``.
     ranks : tuple of Layer
         Layers of IDs and coverages; those that cover most come first.
-    manifest : dict of str to int or None
-        IDs of all names, None where the file does not list them.
+    manifest : Manifest
     also : tuple of str
         It answers to no other name.
     """
 
     name: str
     ranks: tuple[Layer, ...]
-    manifest: dict[str, int] | None
+    manifest: Manifest
     also: tuple[str, ...] = ()
-
-    @property
-    def known_names(self) -> str:
-        """The end of a sentence: which names there are."""
-        if not self.manifest:
-            return "the file does not list its names"
-        names = list(self.manifest)
-        more = f" and {len(names) - _SHOWN_NAMES} more" if len(names) > _SHOWN_NAMES else ""
-        return f"its names are: {', '.join(names[:_SHOWN_NAMES])}{more}"
 
 
 def cryptomattes_of(contents: Contents) -> list[Cryptomatte]:
     """Those of a file, as its header tells, or the names of its layers."""
-    manifests = {}
-    for key, value in contents.cryptomatte.items():
-        if key.endswith("/name"):
-            text = contents.cryptomatte.get(f"{key.removesuffix('name')}manifest", "")
-            manifests[value] = _manifest(text)
+    said = contents.cryptomatte
+    keys = {said[key]: key.removesuffix("name") for key in said if key.endswith("/name")}
     ranks: dict[str, list[Layer]] = {}
     for layer in contents.layers:
         name, rank = layer.name[:-2], layer.name[-2:]
-        if rank.isdecimal() and (name in manifests or "crypto" in name.casefold()):
+        if rank.isdecimal() and (name in keys or "crypto" in name.casefold()):
             ranks.setdefault(name, []).append(layer)
     return [
-        Cryptomatte(name, tuple(sorted(layers, key=lambda layer: layer.name)), manifests.get(name))
+        Cryptomatte(
+            name,
+            tuple(sorted(layers, key=lambda layer: layer.name)),
+            read_manifest(contents.file, said, keys.get(name)),
+        )
         for name, layers in ranks.items()
     ]
 
@@ -104,15 +93,16 @@ def find_matte(
     if len(found) > 1:
         several = ", ".join(whole_name(file, f"{each.name}/{name}") for each in found)
         raise InputError(f"{file}: '{layer}' fits several layers; write one of these: {several}")
-    cryptomatte, names = found[0], found[0].manifest
+    cryptomatte, manifest = found[0], found[0].manifest
+    names = manifest.ids
     if not name:
-        example = whole_name(file, f"{cryptomatte.name}/{next(iter(names)) if names else 'NAME'}")
+        example = whole_name(file, f"{cryptomatte.name}/{next(iter(names), 'NAME')}")
         raise InputError(
             f"{file}:{typed}: is a Cryptomatte, which holds hashes of names; write {example} for "
-            f"the matte of one; {cryptomatte.known_names}"
+            f"the matte of one; {manifest.known_names}"
         )
     if names and name not in names:
-        raise InputError(f"{file}: {cryptomatte.name} has no '{name}'; {cryptomatte.known_names}")
+        raise InputError(f"{file}: {cryptomatte.name} has no '{name}'; {manifest.known_names}")
     return cryptomatte, name
 
 
@@ -177,7 +167,7 @@ def read_matte(
     InputError
         If the layers cannot be read, or the file lists no names and none of its pixels has this.
     """
-    wanted = (cryptomatte.manifest or {}).get(name, id_of(name))
+    wanted = cryptomatte.manifest.ids.get(name, id_of(name))
     covered, is_there = 0.0, False
     for layer in cryptomatte.ranks:
         ids, shares = _pairs(read_layer(path, file, layer))
@@ -185,10 +175,10 @@ def read_matte(
         covered += np.where(mine, shares, 0).sum(axis=2, keepdims=True)
         is_there |= mine.any()
     if not is_there:
-        if not cryptomatte.manifest:
+        if not cryptomatte.manifest.ids:
             raise InputError(
                 f"{file}: no pixel of {cryptomatte.name} is of '{name}', and "
-                f"{cryptomatte.known_names}"
+                f"{cryptomatte.manifest.known_names}"
             )
         note(f"{path}: covers no pixel", level=logging.WARNING)
     return np.clip(covered, 0, 1).astype(np.float32)
@@ -217,11 +207,3 @@ def _pairs(pixels):
     shares = pixels[:, :, 1::2]
     ids = np.ascontiguousarray(pixels[:, :, 0::2]).view(np.uint32)
     return ids[:, :, : shares.shape[2]], shares
-
-
-def _manifest(text):
-    """IDs by name, None where the text lists none."""
-    try:
-        return {name: int(number, 16) for name, number in json.loads(text).items()} or None
-    except (AttributeError, TypeError, ValueError):
-        return None

@@ -12,6 +12,31 @@ from stylit_ref.files.layers.contents import Contents, Layer
 _BEAUTY = ("combined", "beauty", "rgba", "full", "color")
 
 
+class SeveralLayersError(InputError):
+    """A file has several layers, and nothing says which of them is meant.
+
+    Parameters
+    ----------
+    file : Path
+    best : str
+        Name of the layer that is most likely meant.
+    names : list of str
+        All there are.
+    other_way : str
+        What one can do in place of writing the name of the best; a caller may know more than this
+        module.
+    """
+
+    def __init__(self, file: Path, best: str, names: list[str], other_way: str = "") -> None:
+        self.file: Path = file
+        self.best: str = best
+        self.names: list[str] = names
+        super().__init__(
+            f"{file}: has several layers; write {whole_name(file, best)}{other_way}; its layers "
+            f"are: {', '.join(names)}"
+        )
+
+
 class Named(Protocol):
     """What has a name of its own, and others that it answers to."""
 
@@ -69,6 +94,8 @@ def find_layer(file: Path, name: str | None, contents: Contents) -> Layer:
 
     Raises
     ------
+    SeveralLayersError
+        If no name is given, and none of several layers is the unnamed one.
     InputError
         If the file has no such layer, or several that the name fits.
     """
@@ -95,10 +122,7 @@ def _unnamed(file, contents):
         return unnamed or layers[0]
     named = [layer for layer in layers if layer.name]
     shown = min(named, key=lambda layer: (not layer.is_light, _beauty(layer)))
-    raise InputError(
-        f"{file}: has several layers; write {whole_name(file, shown.name)}; its layers are: "
-        + ", ".join(layer.name for layer in named)
-    )
+    raise SeveralLayersError(file, shown.name, [layer.name for layer in named])
 
 
 def _beauty(layer):

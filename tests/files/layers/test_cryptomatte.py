@@ -63,7 +63,9 @@ def write_scene(tmp_path, coverage):
         flat = np.dstack([pairs.reshape(6, 8, 6), np.zeros((6, 8, 2), np.float32)])
         channels = {f"{layer}{k // 4:02}.{'rgba'[k % 4]}": flat[:, :, k] for k in range(8)}
         attributes = {"cryptomatte/542cafa/name": layer}
-        if manifest:
+        if isinstance(manifest, str):
+            attributes["cryptomatte/542cafa/manif_file"] = manifest
+        elif manifest:
             listed = {name: f"{id_of(name):08x}" for name in manifest}
             attributes["cryptomatte/542cafa/manifest"] = json.dumps(listed)
         channels |= {f"ViewLayer.Combined.{c}": 0.5 for c in "RGB"}
@@ -142,3 +144,52 @@ def test_a_broken_list_of_names_is_none(tmp_path, manifest):
     file = write_exr(tmp_path / "a.exr", channels, depth="float", attributes=said)
     with pytest.raises(InputError, match="and the file does not list its names"):
         read_image(f"{file}:Crypto/a")
+
+
+class TestNamesBesideTheFile:
+    LISTED = json.dumps({name: f"{id_of(name):08x}" for name in (*NAMES, "Camera")})
+
+    def test_they_are_read(self, write_scene, coverage, tmp_path):
+        (tmp_path / "names.json").write_text(self.LISTED)
+        path = f"{write_scene('names.json')}:CryptoObject"
+        matte = read_image(f"{path}/Suzanne")
+        np.testing.assert_allclose(matte[:, :, 0], coverage["Suzanne"], rtol=1e-6)
+        with pytest.raises(InputError, match=r"its names are: Suzanne, .*, Camera$"):
+            read_image(f"{path}/Susan")
+
+    def test_in_a_folder_below(self, write_scene, tmp_path):
+        (tmp_path / "names").mkdir()
+        (tmp_path / "names" / "a.json").write_text(self.LISTED)
+        with pytest.raises(InputError, match=r"its names are: Suzanne, .*, Camera$"):
+            read_image(f"{write_scene('names/a.json')}:CryptoObject/Susan")
+
+    @pytest.mark.parametrize("sidecar", ["../names.json", "{}/names.json", "link.json"])
+    def test_not_from_outside_its_folder(self, write_scene, tmp_path, sidecar):
+        (tmp_path / "names.json").write_text(self.LISTED)
+        (tmp_path / "scene").mkdir()
+        (tmp_path / "scene" / "link.json").symlink_to("../names.json")
+        sidecar = sidecar.format(tmp_path)
+        file = write_scene(sidecar, name="scene/scene.exr")
+        said = f"{sidecar} with its names lies outside its folder"
+        assert self.sentence(file).endswith(said)
+
+    @pytest.mark.parametrize(
+        ("content", "said"),
+        [
+            (None, "there is no names.json with its names beside it"),
+            (b"{", "names.json beside it does not list its names"),
+            (b"\xff\xfe", "names.json beside it does not list its names"),
+            (b"[" * 100_000, "names.json beside it does not list its names"),
+        ],
+        ids=["missing", "broken", "no text", "deep"],
+    )
+    def test_not_where_there_are_none(self, write_scene, tmp_path, content, said):
+        if content is not None:
+            (tmp_path / "names.json").write_bytes(content)
+        assert self.sentence(write_scene("names.json")).endswith(said)
+
+    def sentence(self, file):
+        assert read_image(f"{file}:Combined").size, "other layers need no names"
+        with pytest.raises(InputError) as refused:
+            read_image(f"{file}:CryptoObject/Susan")
+        return refused.value.sentence
