@@ -56,7 +56,7 @@ def read_uint8(path: str | Path) -> NDArray[np.uint8]:
 def displayed(path: str | Path, picture: Picture) -> NDArray[np.uint8]:
     """The 8-bit display values of a picture that was read of ``path``.
 
-    A note says if more than a few values are clipped.
+    A note says how many values are clipped.
 
     Parameters
     ----------
@@ -69,11 +69,12 @@ def displayed(path: str | Path, picture: Picture) -> NDArray[np.uint8]:
     (H, W, n) uint8
     """
     if picture.pixels.dtype == np.float32:
-        clipped = np.mean((picture.colours < -0.01) | (picture.colours > 1))
-        if clipped > 0.05:
+        clipped = np.mean((picture.colours < -0.01) | (picture.colours > 1.01))
+        if clipped:
+            share = f"{clipped:.0%}" if clipped >= 0.01 else "less than 1%"
             note(
-                f"{path}: {clipped:.0%} of the values lie outside [0, 1] and are clipped",
-                level=logging.WARNING,
+                f"{path}: {share} of the values lie outside [0, 1] and are clipped",
+                level=logging.WARNING if clipped > 0.05 else logging.INFO,
             )
     curve = "srgb" if picture.is_light else "none"
     return to_uint8_by_rows(picture.pixels, picture.alpha_channel, curve)

@@ -169,11 +169,13 @@ def test_clipping_is_said(tmp_path, caplog):
 
 def test_unreadable_inputs(tmp_path):
     (tmp_path / "text.png").write_text("no image")
+    (tmp_path / "text.heic").write_text("no image")
     for path, message in (
         (tmp_path / "none.png", "none.png: no such file"),
         (f"{tmp_path / 'none.exr'}:LDE", "none.exr: no such file"),
         (tmp_path, "is a folder"),
         (tmp_path / "text.png", "text.png: cannot be read"),
+        (tmp_path / "text.heic", "is no image of a kind that can be read; save it as .png"),
     ):
         with pytest.raises(InputError, match=message):
             read_image(path)
@@ -185,3 +187,26 @@ def test_truncated_file(tmp_path, image):
     (tmp_path / "a.png").write_bytes(whole[: len(whole) // 2])
     with pytest.raises(InputError, match="cannot be read"):
         read_image(tmp_path / "a.png")
+
+
+@pytest.mark.parametrize(
+    ("rows", "level", "share"),
+    [(0, None, ""), (1, logging.INFO, "1%"), (8, logging.WARNING, "8%")],
+)
+def test_what_is_clipped_is_noted(tmp_path, caplog, rows, level, share):
+    caplog.set_level(logging.INFO, logger="stylit_ref")
+    red = np.full((100, 8), 0.5)
+    red[:rows] = 1.5
+    red[rows:50] = 1.005  # rounds to white
+    file = write_exr(tmp_path / "a.exr", {"R": red}, size=(100, 8))
+    read_uint8(file)
+    said = f"{file}: {share} of the values lie outside [0, 1] and are clipped"
+    assert caplog.record_tuples == ([("stylit_ref", level, said)] if rows else [])
+
+
+def test_little_that_is_clipped(tmp_path, caplog):
+    caplog.set_level(logging.INFO, logger="stylit_ref")
+    red = np.zeros((100, 8))
+    red[0, 0] = -1
+    read_uint8(write_exr(tmp_path / "a.exr", {"R": red}, size=(100, 8)))
+    assert "less than 1% of the values" in caplog.text

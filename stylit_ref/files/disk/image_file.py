@@ -45,6 +45,10 @@ def open_image(file: str | Path, *, straight: bool = False) -> oiio.ImageInput:
                 f"{file}: stores luminance, and colour at a lower resolution; open it in an image "
                 "editor and save it with R, G and B channels"
             )
+        if "could not find a format reader" in said:
+            raise InputError(
+                f"{file}: is no image of a kind that can be read; save it as .png, .tif or .exr"
+            )
         raise InputError(f"{file}: cannot be read: {_first_line(said)}")
     return image
 

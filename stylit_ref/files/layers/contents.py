@@ -10,7 +10,10 @@ import OpenImageIO as oiio
 from stylit_ref.errors import InputError
 from stylit_ref.files.disk.bmp_header import channel_numbers
 from stylit_ref.files.disk.image_file import check_size, open_image
+from stylit_ref.files.disk.png_chunks import read_chunks
 from stylit_ref.files.layers.channels import are_labels, choose, is_data, split_names, words_of
+
+_FIRST_IS_READ = "holds several images; the first is read"
 
 
 @dataclass(frozen=True)
@@ -111,6 +114,8 @@ def _contents_of(file):
         _add_largest(contents, image)
     else:
         _add_parts(contents, image)
+    if b"acTL" in read_chunks(file):  # frames of a PNG file, of which OpenImageIO does not know
+        contents.left_out = _FIRST_IS_READ
     image.close()
     return contents
 
@@ -121,7 +126,7 @@ def _add_parts(contents: Contents, image: oiio.ImageInput) -> None:
         spec = image.spec()
         has_name = any("." in name for name in spec.channelnames) or _part_name(spec)
         if part and not has_name:
-            contents.left_out = "holds several images; the first is read"
+            contents.left_out = _FIRST_IS_READ
             break
         _add_part(contents, image, part)
         part += 1

@@ -26,6 +26,8 @@ def note_oddities(path: str | Path, file: Path, spec: oiio.ImageSpec, layer: Lay
     layer : Layer
     """
     _note_windows(path, file, spec)
+    if spec.get_int_attribute("Orientation", 1) > 1:
+        note(f"{path}: is turned upright, as its header says that it was taken")
     chromaticities = spec.getattribute("chromaticities")
     if layer.is_light and chromaticities and not np.allclose(chromaticities, _SRGB, atol=2e-3):
         note(

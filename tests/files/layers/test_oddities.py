@@ -6,6 +6,7 @@ import numpy as np
 import OpenImageIO as oiio
 import pytest
 from exr_files import write_exr, write_named_parts, write_parts
+from PIL import Image
 
 from stylit_ref import read_image, write_image
 
@@ -90,6 +91,25 @@ def test_several_images_in_one_file(tmp_path, caplog, suffix):
     output.close()
     assert not read_image(file).any()
     assert told(caplog) == [(logging.INFO, f"{file}: holds several images; the first is read")]
+
+
+def test_frames_of_a_png_file(tmp_path, caplog):
+    frames = [Image.new("RGB", (8, 6), (60 * number,) * 3) for number in range(3)]
+    frames[0].save(tmp_path / "a.png", save_all=True, append_images=frames[1:])
+    assert not read_image(tmp_path / "a.png").any()
+    said = f"{tmp_path / 'a.png'}: holds several images; the first is read"
+    assert told(caplog) == [(logging.INFO, said)]
+
+
+@pytest.mark.parametrize("orientation", range(1, 9))
+def test_what_is_turned_upright(tmp_path, caplog, orientation):
+    exif = Image.Exif()
+    exif[274] = orientation
+    Image.new("RGB", (8, 6)).save(tmp_path / "a.jpg", exif=exif)
+    turned = orientation in (5, 6, 7, 8)
+    assert read_image(tmp_path / "a.jpg").shape == ((8, 6, 3) if turned else (6, 8, 3))
+    said = f"{tmp_path / 'a.jpg'}: is turned upright, as its header says that it was taken"
+    assert told(caplog) == ([] if orientation == 1 else [(logging.INFO, said)])
 
 
 @pytest.mark.parametrize("sizes", [(16, 48, 32), (48, 16), (16, 16, 48)])
