@@ -42,8 +42,9 @@ def _rows(file: Path, contents: Contents) -> Iterator[tuple[str, str, str]]:
     """What one writes for each layer, its channels, and what it can serve as."""
     cryptomattes = cryptomattes_of(contents)
     ranks = {layer for cryptomatte in cryptomattes for layer in cryptomatte.ranks}
+    names = {cryptomatte.name for cryptomatte in cryptomattes}
     for layer in contents.layers:
-        if layer in ranks:
+        if layer in ranks or layer.name in names:  # the other has a preview for people
             continue
         yield _row(file, layer)
         if not layer.is_deep:
@@ -64,6 +65,8 @@ def _row(file, layer):
 def _serves_as(layer: Layer) -> str:
     if layer.is_deep:
         return "nothing: its pixels are deep; oiiotool --flatten makes a picture of them"
+    if layer.may_be_labels and layer.types == ("uint",):  # too large for the others
+        return "labels"
     uses = ["mask"] if len(layer.roles) == 1 else []
     uses.append("picture" if layer.is_light else "data")
     return ", ".join([*uses, "labels"] if layer.may_be_labels else uses)

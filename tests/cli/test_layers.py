@@ -49,7 +49,8 @@ def test_what_it_prints_can_be_read(tmp_path, capsys):
         ("IndexOB.X", "float", "mask, data, labels"),
         ("objectId.Y", "half", "mask, data, labels"),
         ("AO.Y", "half", "mask, picture"),
-        ("rank.X", "uint", "mask, data, labels"),
+        ("rank.X", "uint", "labels"),
+        ("Y", "uint", "labels"),
         ("Depth.Z", "float", "mask, data"),
         ("id", "float", "mask, data, labels"),
     ],
@@ -59,6 +60,13 @@ def test_which_layers_become_labels(tmp_path, capsys, channel, depth, uses):
     assert line[1].split(maxsplit=1)[1] == uses
     (guide,) = read_guides([[tmp_path / "a.exr"] * 2]).encodings
     assert (guide.kind == "labels") == ("labels" in uses)
+
+
+def test_the_preview_of_a_cryptomatte_has_no_line(tmp_path, capsys):
+    """It has the name that the labels go by."""
+    channels = {f"Crypto00.{c}": 0 for c in "rgba"} | {f"Crypto.{c}": 0.5 for c in "RGB"}
+    file = write_exr(tmp_path / "a.exr", channels, depth="float")
+    assert [line[0] for line in listed(capsys, file)] == [f"{file}:Crypto", f"{file}:Crypto/NAME"]
 
 
 def test_a_picture_without_layers(tmp_path, capsys):

@@ -7,7 +7,7 @@ from collections.abc import Sequence, Set
 _SPELLED_OUT = {"RED": "R", "GREEN": "G", "BLUE": "B", "ALPHA": "A"}
 _WITHOUT_A_DOT = re.compile(
     r"(.+?)(?:[_ -](?i:(red|green|blue|alpha|[rgbaxyz]))"
-    r"|(?<=[a-z0-9])(Red|Green|Blue|Alpha|[RGBAXYZ]))"
+    r"|(Red|Green|Blue|Alpha|[RGBAXYZ]))"
 )
 _DATA = {
     "crypto", "cryptomatte", "depth", "disparity", "id", "idmask", "ids", "index", "mask", "masks",

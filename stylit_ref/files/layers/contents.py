@@ -179,7 +179,10 @@ def _layers_of_part(
     for prefix, entries in members.items():
         numbers, roles = zip(*entries, strict=True)
         chosen, is_light = choose(roles)
+        types = tuple(str(spec.channelformat(numbers[k])) for k in chosen)
         is_light = is_light and not is_data(prefix or _part_name(spec))
+        if file_format == "openexr":  # it has whole numbers for IDs alone
+            is_light = is_light and "uint" not in types
         name, *also = _names(spec, part, prefix, is_light, len(members) == 1, taken)
         layer = Layer(
             name,
@@ -187,7 +190,7 @@ def _layers_of_part(
             tuple(numbers[k] for k in chosen),
             tuple(roles[k] for k in chosen),
             is_light,
-            tuple(str(spec.channelformat(numbers[k])) for k in chosen),
+            types,
             spec.deep,
             file_format,
             tuple(also),

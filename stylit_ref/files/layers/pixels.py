@@ -81,6 +81,10 @@ def _depth(path, layer, may_be_labels):
     stored = set(layer.types)
     if may_be_labels and len(layer.numbers) == 1 and stored == {"uint"}:
         return "uint"
+    if layer.roles[0] == "INK0":
+        raise InputError(f"{path}: holds inks for printing; save it with R, G and B channels")
+    if stored == {"uint"} and layer.may_be_labels:
+        raise InputError(f"{path}: holds whole numbers of 32 bits, which can be labels of a guide")
     if not stored <= _DEPTHS.keys():
         raise InputError(
             f"{path}: holds {', '.join(sorted(stored))} values; save it with 8-bit or 16-bit "

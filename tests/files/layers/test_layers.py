@@ -80,9 +80,14 @@ def test_luminance_and_chroma_give_colours(tmp_path):
 
 def test_colours_go_by_what_their_channels_are_called(tmp_path):
     names = ["paint.red", "paint.GREEN", "paint.Blue", "paint.alpha", "paint.depth"]
-    names += ["Key_R", "Key_G", "Key_B", "fillR", "fillG", "fillB"]
+    names += ["Key_R", "Key_G", "Key_B", "fillR", "fillG", "fillB", "AOR", "AOG", "AOB"]
     file = write_exr(tmp_path / "a.exr", {name: n / 16 for n, name in enumerate(names)})
-    for layer, expected in (("paint", [0, 1, 2, 3]), ("Key", [5, 6, 7]), ("fill", [8, 9, 10])):
+    for layer, expected in (
+        ("paint", [0, 1, 2, 3]),
+        ("Key", [5, 6, 7]),
+        ("fill", [8, 9, 10]),
+        ("AO", [11, 12, 13]),
+    ):
         np.testing.assert_array_equal(read_image(f"{file}:{layer}")[0, 0] * 16, expected)
 
 
