@@ -86,7 +86,7 @@ def read_picture(path: str | Path, *, is_guide: bool = False) -> Picture:
         return Picture(read_matte(path, file, *matte), None, False, matte[1])
     layer = find_layer(file, name, contents)
     if contents.left_out:
-        note(f"{path}: {contents.left_out}")
+        note(f"{file}: {contents.left_out}")
     pixels = read_layer(path, file, layer, is_guide=is_guide)
     alpha_channel = layer.alpha_channel
     if alpha_channel is not None:

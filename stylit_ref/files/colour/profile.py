@@ -19,8 +19,10 @@ from stylit_ref.files.disk.paths import split_layer
 from stylit_ref.files.disk.png_chunks import read_chunks, replace_chunks
 from stylit_ref.notes import note
 
+SRGB_PRIMARIES = 0.64, 0.33, 0.3, 0.6, 0.15, 0.06, 0.3127, 0.329
+"""x and y of red, green, blue and white."""
+
 _SRGB_GAMMA = 1 / 0.45455
-_SRGB_PRIMARIES = 0.64, 0.33, 0.3, 0.6, 0.15, 0.06, 0.3127, 0.329
 
 _PNG_COLOURS = b"cICP", b"iCCP", b"sRGB", b"gAMA", b"cHRM"
 """The first of them that a PNG file has counts, and the last two together."""
@@ -95,7 +97,7 @@ def read_colour_profile(path: str | Path) -> ColourProfile:
         cicp=spec.getattribute("CICP"),
         gamma=None if _same(gamma, _SRGB_GAMMA) else gamma,
         primaries=None
-        if primaries is None or _same(primaries, _SRGB_PRIMARIES)
+        if primaries is None or _same(primaries, SRGB_PRIMARIES)
         else tuple(map(float, primaries)),
     )
 
@@ -131,7 +133,7 @@ def add_to_png(profile: ColourProfile, file: Path) -> None:
         chunks[b"iCCP"] = b"ICC profile\0\0" + zlib.compress(profile.icc)
     if profile.cicp:
         chunks[b"cICP"] = bytes(profile.cicp)
-    red_to_white = np.reshape(profile.primaries or _SRGB_PRIMARIES, (4, 2))
+    red_to_white = np.reshape(profile.primaries or SRGB_PRIMARIES, (4, 2))
     # PNG has no negative numbers, which wide spaces of light need.
     if (profile.gamma or profile.primaries) and (red_to_white >= 0).all():
         white_first = np.rint(1e5 * np.roll(red_to_white, 1, axis=0)).astype(int)

@@ -65,7 +65,7 @@ def read_layer(
     if layer.file_format == "targa":  # the one that can also hold them multiplied
         is_straight = spec.get_int_attribute("oiio:UnassociatedAlpha") == 1
     source.close()
-    note_oddities(path, file, spec, layer)
+    note_oddities(file, spec, layer)
     if spec.roi != spec.roi_full:
         pixels = _in_display_window(pixels, spec)
     pixels = np.ascontiguousarray(_upright(pixels, spec.get_int_attribute("Orientation")))

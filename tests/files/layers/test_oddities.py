@@ -72,8 +72,8 @@ def test_primaries(tmp_path, caplog, channels, chromaticities, odd):
     file = write_exr(tmp_path / "a.exr", dict.fromkeys(channels, 0.5), attributes=attributes)
     assert (read_image(file) == 0.5).all()
     said = (
-        f"{file}: its colours have other primaries than sRGB and are taken for sRGB; convert it to "
-        "the primaries of sRGB (Rec. 709) to be exact"
+        f"{file}: its colours have other primaries than sRGB and keep their values; convert it to "
+        "the primaries of sRGB (Rec. 709) where other images have those"
     )
     assert told(caplog) == ([(logging.WARNING, said)] if odd else [])
 
@@ -136,3 +136,13 @@ def test_parts_and_views_are_no_frames(tmp_path, caplog):
     write_image(tmp_path / "c.png", np.zeros((6, 8, 3), np.uint8))
     read_image(tmp_path / "c.png")
     assert not caplog.records
+
+
+def test_layers_of_one_file_are_told_of_once(tmp_path, caplog):
+    channels = {f"{layer}.{c}": 0.5 for layer in ("Combined", "DiffDir") for c in "RGB"}
+    attributes = {"chromaticities": ("float[8]", REC2020)}
+    window = (-3, -1, 12, 10)
+    file = write_exr(tmp_path / "a.exr", channels, data_window=window, attributes=attributes)
+    for layer in ("Combined", "DiffDir"):
+        read_image(f"{file}:{layer}")
+    assert len(told(caplog)) == 2
