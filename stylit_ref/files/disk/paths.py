@@ -131,7 +131,7 @@ def check_distinct(
     Parameters
     ----------
     outputs, inputs : iterables of str, Path or None
-        ``FILE:LAYER`` counts as its file.
+        An input is there already; ``FILE:LAYER`` counts as its file.
 
     Raises
     ------
@@ -139,9 +139,8 @@ def check_distinct(
     """
     taken = {}
     for path in filter(None, inputs):
-        place = real_path(path)
-        place = place if place.exists() else real_path(str(path).rpartition(":")[0])
-        taken[place] = "the output would overwrite this input"
+        file, _ = split_layer(path)
+        taken[real_path(file)] = "the output would overwrite this input"
     for path in filter(None, outputs):
         place = real_path(path)
         if place in taken:
