@@ -7,8 +7,9 @@ from pathlib import Path
 from stylit_ref.cli.parser import Parser
 from stylit_ref.errors import one_line
 from stylit_ref.files.disk.paths import existing_file
-from stylit_ref.files.layers.contents import Contents, Layer, contents_of
+from stylit_ref.files.layers.contents import Contents, contents_of
 from stylit_ref.files.layers.cryptomatte import cryptomattes_of
+from stylit_ref.files.layers.layer import Layer
 from stylit_ref.files.layers.names import whole_name
 
 _DESCRIPTION = """\

@@ -13,7 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
-from stylit_ref.files.layers.contents import Contents, Layer
+from stylit_ref.files.layers.contents import Contents
+from stylit_ref.files.layers.layer import Layer
 from stylit_ref.files.layers.manifest import Manifest, read_manifest
 from stylit_ref.files.layers.murmur_hash import murmur_hash
 from stylit_ref.files.layers.names import fitting, whole_name

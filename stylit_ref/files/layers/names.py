@@ -7,7 +7,8 @@ from typing import Protocol, TypeVar
 
 from stylit_ref.errors import InputError
 from stylit_ref.files.layers.blender_names import other_name
-from stylit_ref.files.layers.contents import Contents, Layer
+from stylit_ref.files.layers.contents import Contents
+from stylit_ref.files.layers.layer import Layer
 
 _BEAUTY = ("combined", "beauty", "rgba", "full", "color")
 

@@ -7,7 +7,7 @@ import numpy as np
 import OpenImageIO as oiio
 
 from stylit_ref.files.colour.profile import SRGB_PRIMARIES
-from stylit_ref.files.layers.contents import Layer
+from stylit_ref.files.layers.layer import Layer
 from stylit_ref.notes import note
 
 

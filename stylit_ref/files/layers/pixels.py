@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from stylit_ref.errors import InputError
 from stylit_ref.files.colour.alpha import OURS_TO_MULTIPLY, multiplied_by_alpha
 from stylit_ref.files.disk.image_file import check_size, open_image, read_pixels, reason_of
-from stylit_ref.files.layers.contents import Layer
+from stylit_ref.files.layers.layer import Layer
 from stylit_ref.files.layers.oddities import note_oddities
 
 _DEPTHS = {"uint8": "uint8", "uint16": "uint16"} | dict.fromkeys(
