@@ -38,7 +38,7 @@ DIFFER = {
     "strike.tif": "multiplied by alpha in the file; dividing and multiplying loses up to 5",
     "psd_123.psd": "Photoshop mixes the colours with white by alpha; Pillow leaves them so",
     "psd_indexed_trans.psd": "the same",
-    "psd_bitmap.psd": "black and white are exchanged in one of the two libraries",
+    "psd_bitmap.psd": "1 is black in bitmaps of Photoshop; Pillow shows it white",
     "gif_animation.gif": "what the first frame leaves open; Pillow shows the background there",
     "gif_test_disposal_method.gif": "the same",
     "border_touching_layers.gif": "the same",
