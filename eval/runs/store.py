@@ -12,7 +12,7 @@ import pandas as pd
 from eval.metrics import CODES, METRICS
 from eval.outcome import Outcome
 from eval.provenance import provenance
-from stylit_ref.files.output_file import whole_file, write_text
+from stylit_ref.files.disk.whole_file import whole_file, write_text
 
 RUNS = Path("build/runs")
 MEASURES = Path("build/measures")
