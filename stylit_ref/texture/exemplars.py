@@ -33,15 +33,16 @@ class Exemplars:
     fractions : bool
     colours : (planes * plane,) int32
         Packed colours: the first channel in the low byte.
-    valid : (rows, stride) uint8
-        Whether a pixel of the plane is one of an image, and known.
+    clearance : (rows, stride) uint16
+        How far each pixel of the plane is from the nearest that is of no image or not known, in
+        whole pixels; 0 for such a pixel itself.
     """
 
     images: tuple[NDArray[np.uint8], ...]
     border: int
     fractions: bool
     colours: NDArray[np.int32]
-    valid: NDArray[np.uint8]
+    clearance: NDArray[np.uint16]
 
     @property
     def largest_radius(self) -> int:
@@ -51,12 +52,12 @@ class Exemplars:
     @property
     def stride(self) -> int:
         """Pixels in a row of the plane."""
-        return self.valid.shape[1]
+        return self.clearance.shape[1]
 
     @property
     def plane(self) -> int:
         """Pixels in a plane."""
-        return self.valid.size
+        return self.clearance.size
 
     @cached_property
     def first_rows(self) -> tuple[int, ...]:
@@ -64,27 +65,22 @@ class Exemplars:
         heights = [0] + [image.shape[0] + 2 * self.border for image in self.images]
         return tuple(int(row) + self.border for row in np.cumsum(heights)[:-1])
 
-    @cached_property
-    def distance(self) -> NDArray[np.float32]:
-        """How far each pixel of the plane is from the nearest that is not valid, in pixels."""
-        return distance_transform_edt(self.valid).astype(np.float32)
-
     def centres(self, radius: int) -> NDArray[np.int32]:
-        """Addresses where the centre of a patch may lie: at least R / 2 inside.
+        """Addresses where the centre of a patch may lie: more than R / 2 inside.
 
         Raises
         ------
         InputError
             If there is none.
         """
-        centres = np.flatnonzero(self.distance > radius / 2).astype(np.int32)
+        centres = np.flatnonzero(2 * self.clearance.astype(np.int32) > radius).astype(np.int32)
         if not centres.size:
-            fits = max(int(np.ceil(2 * float(self.distance.max()))) - 1, 0)
+            fits = max(2 * int(self.clearance.max()) - 1, 0)
             height, width = self.images[0].shape[:2]
             sizes = f"{width} x {height} pixels" if len(self.images) == 1 else "the exemplars"
             remedy = f"{fits} is the largest that fits" if fits else "no pixel of them is known"
             raise InputError(
-                f"is {radius}, too large for {sizes}: a patch's centre lies at least half of it "
+                f"is {radius}, too large for {sizes}: a patch's centre lies more than half of it "
                 f"inside; {remedy}",
                 parameter="radius",
             )
@@ -181,7 +177,8 @@ def make_exemplars(
             )
         valid.append(np.pad(np.asarray(mask, np.uint8), around))
     colours = packed_planes(pictures, border, fractions)
-    return Exemplars(tuple(pictures), border, fractions, colours, np.concatenate(valid))
+    clearance = distance_transform_edt(np.concatenate(valid)).astype(np.uint16)
+    return Exemplars(tuple(pictures), border, fractions, colours, clearance)
 
 
 def packed_planes(

@@ -20,7 +20,7 @@ from stylit_ref.texture.checks import (
 from stylit_ref.texture.exemplars import Exemplars, make_exemplars, packed_planes
 from stylit_ref.texture.formulae.deformation import power_table
 from stylit_ref.texture.formulae.guide_cost import fixed_guide_weight
-from stylit_ref.texture.formulae.polar import MARGIN, Polar, cost_limit, make_polar
+from stylit_ref.texture.formulae.polar import Polar, cost_limit, make_polar
 from stylit_ref.texture.formulae.seam_cost import ONE
 from stylit_ref.texture.params import TextureParams
 from stylit_ref.texture.passes.candidates import ring
@@ -131,7 +131,7 @@ class TextureSession:
         self._fitted(min(self.params.radius, self._largest_radius(height, width)), self.params)
         addresses = np.empty((height, width), np.int32)
         if start is None:
-            pixels = np.flatnonzero(self.exemplars.valid).astype(np.int32)
+            pixels = np.flatnonzero(self.exemplars.clearance).astype(np.int32)
             white_noise(addresses, pixels, random_stream(seed, WHITE_NOISE))
         else:
             start = check_coordinates(start, self.exemplars.images, (height, width))
@@ -254,16 +254,11 @@ class TextureSession:
         key = radius, params.radial_samples, params.angular_samples, params.weighting
         if self._fit is None or self._fit.key != key:
             exemplars = self.exemplars
-            centres = exemplars.centres(radius)
-            is_centre = np.zeros(exemplars.plane, np.uint8)
-            is_centre[centres] = 1
             sources = Sources(
                 colours=exemplars.colours,
                 guide_colours=self._guide_colours,
-                valid=exemplars.valid.ravel(),
-                is_centre=is_centre,
-                centres=centres,
-                inner=(exemplars.distance.ravel() > radius + MARGIN).astype(np.uint8),
+                clearance=exemplars.clearance.ravel(),
+                centres=exemplars.centres(radius),
                 ring=ring(radius),
             )
             self._fit = _Fitted(key, make_polar(*key), sources)

@@ -48,9 +48,9 @@ class Polar(NamedTuple):
     step_x, step_y : (H, W) uint16 or int32
         Places of the edges that a cut crosses at column x between rows y and y + 1.
     inside : (H, W) uint16 or int32
-        The place of a sample of the disc.
+        The place of a sample of the disc, in the middle of a column.
     cut_cosine, cut_sine, step_cosine, step_sine : (H,) int32
-        Their absolute values in the middle of a row and between it and the next.
+        Absolute values of the cosine and the sine of a row, and between it and the next.
     cut_weight, step_weight, area : (W,) int32
         Lengths, or what is printed in their place, and areas.
     half_width : (n,) int32

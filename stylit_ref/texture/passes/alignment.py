@@ -68,15 +68,20 @@ def alignment_costs(
         if polar.cut_cosine[y] >= polar.cut_sine[y]:
             place = np.int64(polar.cut_x[y, path[y]])
             if cosine > 0:
-                old, before, direction = context.here[place + 1], context.left[place + 1], 1
+                place += 1
+                old, before, direction = context.here[place], context.beside_x[place], 1
             else:
-                old, before, direction = context.here[place], context.right[place], 2
+                old, before, direction = context.here[place], context.beside_x[place], 2
         else:
             place = np.int64(polar.cut_y[y, path[y]])
             if sine > 0:
-                old, before, direction = context.here[place + side], context.above[place + side], 3
+                old, before, direction = (
+                    context.here[place + side],
+                    context.beside_y[place + side],
+                    3,
+                )
             else:
-                old, before, direction = context.here[place], context.below[place], 4
+                old, before, direction = context.here[place], context.beside_y[place], 4
         weight = (
             polar.cut_weight[path[y]] * np.int64(polar.cut_cosine[y] + polar.cut_sine[y]) + _HALF
         ) >> WEIGHT_BITS

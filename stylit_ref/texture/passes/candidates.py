@@ -63,7 +63,7 @@ def find_candidate(
             to_x = uniform_below(words[3], 2 * radius + 1) - radius
             there = np.int64(addresses[(y + to_y) % height, (x + to_x) % width]) % plane
             there -= to_y * stride + to_x
-            if 0 <= there < plane and sources.is_centre[there]:
+            if 0 <= there < plane and 2 * np.int64(sources.clearance[there]) > radius:
                 candidate = there
         if settings.prescreened == 1:
             return candidate

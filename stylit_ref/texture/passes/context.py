@@ -15,8 +15,11 @@ class Context(NamedTuple):
 
     Attributes
     ----------
-    here, right, left, below, above : (n * n,) int32
-        With a = S[t], the colours E[a], E[a + (0, 1)], E[a - (0, 1)], E[a + (1, 0)], E[a - (1, 0)].
+    here : (n * n,) int32
+        E[a] with a = S[t].
+    beside_x, beside_y : (n * n,) int32
+        E[a ± δ], the neighbour in the exemplar that lies towards the centre of the patch, in x and
+        in y: there the new side of an edge will be.
     seams : (n * n,) int32
         What the two edges of a place cost now, each cut off at the limit.
     locked : (n * n,) uint8
@@ -24,10 +27,8 @@ class Context(NamedTuple):
     """
 
     here: NDArray[np.int32]
-    right: NDArray[np.int32]
-    left: NDArray[np.int32]
-    below: NDArray[np.int32]
-    above: NDArray[np.int32]
+    beside_x: NDArray[np.int32]
+    beside_y: NDArray[np.int32]
     seams: NDArray[np.int32]
     locked: NDArray[np.uint8]
 
@@ -60,13 +61,12 @@ def read_context(
         reach = min(half_width[j] + MARGIN - 1, centre)
         place = j * side + centre - reach
         column = (x - reach) % width
-        for _ in range(2 * reach + 1):
+        inward_y = stride if j < centre else -stride
+        for i in range(-reach, reach + 1):
             a = addresses[row, column]
             context.here[place] = colours[a]
-            context.right[place] = colours[a + 1]
-            context.left[place] = colours[a - 1]
-            context.below[place] = colours[a + stride]
-            context.above[place] = colours[a - stride]
+            context.beside_x[place] = colours[a + 1] if i < 0 else colours[a - 1]
+            context.beside_y[place] = colours[a + inward_y]
             cost_x, cost_y = seams_x[row, column], seams_y[row, column]
             context.seams[place] = min(cost_x, limit) + min(cost_y, limit)
             context.locked[place] = lock[row, column]

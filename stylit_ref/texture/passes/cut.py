@@ -51,50 +51,61 @@ def accumulate(
     row = totals[0]
     for x in range(padded):
         row[x] = crossing[first_row, x] if start < 0 or x == max_jump + start else blocked
+    now = first_row
     for y in range(1, rows + 1):
-        above = first_row + y - 1
-        above = above - rows if above >= rows else above
-        before, running = totals[y - 1], steps[above]
+        before, running = totals[y - 1], steps[now]
         for x in range(padded):
             less[x] = before[x] - running[x]
             more[x] = before[x] + running[x]
-        inner = running[max_jump:last]
-        row = totals[y]
-        best = row[max_jump:last]
-        _nearest_jumps(less, more, inner, max_jump, best)
-        row[:max_jump] = blocked
-        row[last:] = blocked
+        inner, best = running[max_jump:last], totals[y, max_jump:last]
+        if max_jump == 8:
+            _best_of_8(less, more, inner, best)
+        elif max_jump == 4:
+            _best_of_4(less, more, inner, best)
+        elif max_jump == 1:
+            _best_of_1(less, more, inner, best)
+        else:
+            _best_of_any(less, more, inner, max_jump, best)
+        totals[y, :max_jump] = blocked
+        totals[y, last:] = blocked
+        now = now + 1 if now + 1 < rows else 0
         if y < rows:
-            now = first_row + y
-            now = now - rows if now >= rows else now
             costs = crossing[now, max_jump:last]
             for x in range(columns):
                 total = np.int32((best[x] if best[x] < blocked else blocked) + costs[x])
                 best[x] = total if total < blocked else blocked
 
 
+def _make_best(max_jump):
+    """The sliding minima for one J: an inner loop of fixed length becomes vector instructions."""
+
+    @inlined
+    def best_of(less, more, running, best):
+        for x in range(best.size):
+            at = np.uint64(x)
+            left, right = less[at + np.uint64(max_jump)], more[at + np.uint64(max_jump)]
+            for jump in range(1, max_jump + 1):
+                left = _least(left, less[at + np.uint64(max_jump - jump)])
+                right = _least(right, more[at + np.uint64(max_jump + jump)])
+            best[at] = _least(np.int32(left + running[at]), np.int32(right - running[at]))
+
+    return best_of
+
+
+_best_of_1, _best_of_4, _best_of_8 = _make_best(1), _make_best(4), _make_best(8)
+
+
 @inlined
-def _nearest_jumps(less, more, running, max_jump, best):
-    columns = running.size
-    if max_jump == 4:  # the usual value, in one sweep
-        l0, l1, l2 = less[4 : 4 + columns], less[3 : 3 + columns], less[2 : 2 + columns]
-        l3, l4 = less[1 : 1 + columns], less[0:columns]
-        m0, m1, m2 = more[4 : 4 + columns], more[5 : 5 + columns], more[6 : 6 + columns]
-        m3, m4 = more[7 : 7 + columns], more[8 : 8 + columns]
+def _best_of_any(less, more, running, max_jump, best):
+    columns = best.size
+    for x in range(columns):
+        best[x] = np.int32(less[max_jump + x] + running[x])
+    for jump in range(max_jump + 1):
+        left = less[max_jump - jump : max_jump - jump + columns]
+        right = more[max_jump + jump : max_jump + jump + columns]
         for x in range(columns):
-            left = _least(_least(_least(l0[x], l1[x]), _least(l2[x], l3[x])), l4[x])
-            right = _least(_least(_least(m0[x], m1[x]), _least(m2[x], m3[x])), m4[x])
-            best[x] = _least(np.int32(left + running[x]), np.int32(right - running[x]))
-    else:
-        here_less, here_more = less[max_jump : max_jump + columns], more
-        for x in range(columns):
-            best[x] = np.int32(here_less[x] + running[x])
-        for jump in range(1, max_jump + 1):
-            left = less[max_jump - jump : max_jump - jump + columns]
-            right = here_more[max_jump + jump : max_jump + jump + columns]
-            for x in range(columns):
-                nearer = _least(np.int32(left[x] + running[x]), np.int32(right[x] - running[x]))
-                best[x] = _least(best[x], nearer)
+            nearer = _least(np.int32(left[x] + running[x]), np.int32(right[x] - running[x]))
+            best[x] = _least(best[x], nearer)
 
 
 @inlined

@@ -22,7 +22,7 @@ def rasterize(
     shifts: NDArray[np.int32],
     powers: NDArray[np.int32],
     deformed: bool,
-    valid: NDArray[np.uint8],
+    clearance: NDArray[np.uint16],
     context: Context,
     patch: NDArray[np.int32],
 ) -> None:
@@ -62,5 +62,5 @@ def rasterize(
                 )
                 quarter_y, quarter_x = position(stretched, turned, polar.cosine, polar.sine)
                 a = address_at(source, quarter_y, quarter_x, stride, plane, fractions)
-            if valid[a % plane if deformed else a]:
+            if clearance[a % plane if deformed else a]:
                 patch[place] = a

@@ -79,24 +79,19 @@ class Sources(NamedTuple):
         Planes of packed colours.
     guide_colours : (n,) int32
         Their guides; (1,) without one.
-    valid : (plane,) uint8
-        Whether an address is a pixel of an exemplar.
-    is_centre : (plane,) uint8
-        Whether a patch may have its centre there.
+    clearance : (plane,) uint16
+        How far the nearest pixel is that belongs to no exemplar or is not known, in whole pixels: 0
+        for such a pixel itself.
     centres : (m,) int32
-        Those addresses.
-    inner : (plane,) uint8
-        Whether a whole patch around it lies in the exemplar.
+        Addresses where a patch may have its centre: those with 2 clearance > R.
     ring : (64, 2) int32
         Where candidates are compared.
     """
 
     colours: NDArray[np.int32]
     guide_colours: NDArray[np.int32]
-    valid: NDArray[np.uint8]
-    is_centre: NDArray[np.uint8]
+    clearance: NDArray[np.uint16]
     centres: NDArray[np.int32]
-    inner: NDArray[np.uint8]
     ring: NDArray[np.int32]
 
 
@@ -130,14 +125,14 @@ def make_workspace(polar: Polar, max_jump: int, max_shift: int, threads: int) ->
         return np.zeros((threads, *shape), np.int32)
 
     return Workspace(
-        context=room(6, places),
+        context=room(4, places),
         locked=np.zeros((threads, places), np.uint8),
         costs=room(4, places),
         saved=room(rows, columns),
         crossing=room(rows, padded),
         steps=room(rows, padded),
         totals=room(rows + 1, padded),
-        row=room(2, widest),
+        row=room(4, widest),
         paths=room(3, rows),
         ends=room(2, widest + 1),
         line=room(5, rows + 2 * max_shift),

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from stylit_ref.machine.inlined import subroutine
 from stylit_ref.texture.formulae.guide_cost import guide_cost
-from stylit_ref.texture.formulae.seam_cost import seam_cost
+from stylit_ref.texture.formulae.seam_cost import edge_cost
 from stylit_ref.texture.passes.context import Context
 from stylit_ref.texture.passes.layout import Settings, Texture
 
@@ -50,44 +50,36 @@ def hidden_beside_locked(
     hidden: NDArray[np.int32],
 ) -> None:
     """What covering each pixel of a window saves in seams, less what it pays to locked pixels."""
-    seams_x, seams_y = texture.seams_x, texture.seams_y
+    addresses, seams_x, seams_y = texture[:3]
     stride, eta, exponent = settings.stride, settings.eta, settings.exponent
     height, width = seams_x.shape
     side = half_width.size
     centre = side // 2
-    locked, here, right = context.locked, context.here, context.right
-    left, below, above = context.left, context.below, context.above
+    locked = context.locked
     for j in range(1, side - 1):
         row = (y + j - centre) % height
+        below = (row + 1) % height
         reach = half_width[j]
         for i in range(centre - reach, centre + reach + 1):
             place = j * side + i
             column = (x + i - centre) % width
+            a = addresses[row, column]
             new = source + (j - centre) * stride + i - centre
             saved = np.int64(0)
             if not (locked[place] and locked[place + 1]):
                 saved += seams_x[row, column]
                 if locked[place]:
-                    saved -= seam_cost(
-                        here[place], right[place], colours[new + 1], colours[new], eta, exponent
-                    )
+                    saved -= edge_cost(colours, a, new + 1, 1, eta, exponent)
                 elif locked[place + 1]:
-                    saved -= seam_cost(
-                        colours[new], colours[new + 1], here[place + 1], left[place + 1],
-                        eta, exponent,
-                    )  # fmt: skip
+                    b = addresses[row, (column + 1) % width]
+                    saved -= edge_cost(colours, new, b, 1, eta, exponent)
             if not (locked[place] and locked[place + side]):
                 saved += seams_y[row, column]
                 if locked[place]:
-                    saved -= seam_cost(
-                        here[place], below[place], colours[new + stride], colours[new],
-                        eta, exponent,
-                    )  # fmt: skip
+                    saved -= edge_cost(colours, a, new + stride, stride, eta, exponent)
                 elif locked[place + side]:
-                    saved -= seam_cost(
-                        colours[new], colours[new + stride], here[place + side],
-                        above[place + side], eta, exponent,
-                    )  # fmt: skip
+                    b = addresses[below, column]
+                    saved -= edge_cost(colours, new, b, stride, eta, exponent)
             hidden[place] = max(min(saved, 2 * settings.limit), -2 * settings.limit)
 
 

@@ -34,15 +34,14 @@ def new_seams(
     """
     side = half_width.size
     centre = side // 2
-    here, right, left = context.here, context.right, context.left
-    below, above = context.below, context.above
+    here, beside_x, beside_y = context.here, context.beside_x, context.beside_y
     # Slices and plain indices: with others the compiler finds no vector instructions.
     for j in range(1, side - 1):
         reach = half_width[j]
         middle = j * side + centre
         a = source + (j - centre) * stride
         new, before_new = colours[a - reach + 1 : a + 1], colours[a - reach : a]
-        old, after_old = here[middle - reach : middle], right[middle - reach : middle]
+        old, after_old = here[middle - reach : middle], beside_x[middle - reach : middle]
         costs = new_x[middle - reach : middle]
         for i in range(reach):
             costs[i] = _limited_cost(
@@ -51,7 +50,7 @@ def new_seams(
         new, after_new = colours[a : a + reach + 1], colours[a + 1 : a + reach + 2]
         old, before_old = (
             here[middle + 1 : middle + reach + 2],
-            left[middle + 1 : middle + reach + 2],
+            beside_x[middle + 1 : middle + reach + 2],
         )
         costs = new_x[middle : middle + reach + 1]
         for i in range(reach + 1):
@@ -63,7 +62,7 @@ def new_seams(
         a -= reach
         if j < centre:
             new, before_new = colours[a + stride : a + stride + width], colours[a : a + width]
-            old, after_old = here[first : first + width], below[first : first + width]
+            old, after_old = here[first : first + width], beside_y[first : first + width]
             for i in range(width):
                 costs[i] = _limited_cost(
                     old[i], after_old[i], new[i], before_new[i], eta, exponent, limit
@@ -71,7 +70,7 @@ def new_seams(
         else:
             first += side
             new, after_new = colours[a : a + width], colours[a + stride : a + stride + width]
-            old, before_old = here[first : first + width], above[first : first + width]
+            old, before_old = here[first : first + width], beside_y[first : first + width]
             for i in range(width):
                 costs[i] = _limited_cost(
                     new[i], after_new[i], old[i], before_old[i], eta, exponent, limit

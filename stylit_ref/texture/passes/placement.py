@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 from stylit_ref.machine.inlined import subroutine
 from stylit_ref.machine.kernel import kernel
 from stylit_ref.randomness.philox import FourWords
-from stylit_ref.texture.formulae.polar import BLOCKED, Polar
+from stylit_ref.texture.formulae.polar import BLOCKED, MARGIN, Polar
 from stylit_ref.texture.passes.acceptance import cost_change, inner_cost, write_patch
 from stylit_ref.texture.passes.alignment import alignment_costs
 from stylit_ref.texture.passes.candidates import find_candidate
@@ -86,10 +86,7 @@ def fit_patch(
         Where it is accepted, ``patch`` holds what is to be written.
     """
     windows, costs = work.context[thread], work.costs[thread]
-    context = Context(
-        windows[0], windows[1], windows[2], windows[3], windows[4], windows[5],
-        work.locked[thread],
-    )  # fmt: skip
+    context = Context(windows[0], windows[1], windows[2], windows[3], work.locked[thread])
     new_x, new_y, hidden, other_patch = costs[0], costs[1], costs[2], costs[3]
     saved, crossing, steps = work.saved[thread], work.crossing[thread], work.steps[thread]
     totals, row, paths = work.totals[thread], work.row[thread], work.paths[thread]
@@ -132,9 +129,9 @@ def fit_patch(
                     hidden,
                 )  # fmt: skip
             existing_seams(hidden, polar, saved)
-        cut_costs(new_x, new_y, saved, polar, jump, crossing, steps)
-        if not sources.inner[candidate]:
-            end_rays(sources.valid, stride, candidate, polar, jump, crossing)
+        cut_costs(new_x, new_y, saved, polar, jump, row[2:], crossing, steps)
+        if sources.clearance[candidate] <= settings.radius + MARGIN:
+            end_rays(sources.clearance, stride, candidate, polar, jump, crossing)
         found = find_cut(
             polar, settings, crossing, steps, totals, less, more, other_path, ends, columns_now
         )
@@ -144,14 +141,11 @@ def fit_patch(
             hides = np.int64(0)
             for angle in range(path.size):
                 hides += saved[angle, path[angle]]
-    if cost >= BLOCKED // 2 or (
-        cost >= 0 and (settings.predicate == _BEFORE or settings.predicate == _EXACT)
-    ):
+    if cost >= BLOCKED // 2:
         return REJECTED, np.int64(0)
-
-    rasterize(source, settings, polar, path, shifts, powers, False, sources.valid, context, patch)
-    change = cost_change(texture, sources, settings, y, x, half_width, patch)
-    outcome = ACCEPTED
+    if cost >= 0 and (settings.predicate == _BEFORE or settings.predicate == _EXACT):
+        return REJECTED, np.int64(0)
+    aligned = np.int32(0)
     if settings.max_shift:
         shift_costs, shift_steps = work.shift_costs[thread], work.shift_steps[thread]
         alignment_costs(
@@ -162,11 +156,19 @@ def fit_patch(
         less, more = row[0, :padded], row[1, :padded]
         shift_totals = work.shift_totals[thread]
         accumulate(shift_costs, shift_steps, 1, 0, -1, shift_totals, less, more)
-        along = closed_path(shift_totals, shift_steps, 1, 0, -1, shifts, ends, columns_now)
+        aligned = closed_path(shift_totals, shift_steps, 1, 0, -1, shifts, ends, columns_now)
         for angle in range(shifts.size):
             shifts[angle] -= settings.max_shift
+    if settings.predicate == _AFTER and cost >= 0 and aligned >= hides:
+        return REJECTED, np.int64(0)  # whatever the deformation costs inside
+
+    clearance = sources.clearance
+    rasterize(source, settings, polar, path, shifts, powers, False, clearance, context, patch)
+    change = cost_change(texture, sources, settings, y, x, half_width, patch)
+    outcome = ACCEPTED
+    if settings.max_shift:
         rasterize(
-            source, settings, polar, path, shifts, powers, True, sources.valid, context, other_patch
+            source, settings, polar, path, shifts, powers, True, clearance, context, other_patch
         )
         deformed_change = cost_change(texture, sources, settings, y, x, half_width, other_patch)
         if deformed_change < change:
@@ -174,7 +176,7 @@ def fit_patch(
             patch[:] = other_patch
     if settings.predicate == _AFTER:
         if outcome == DEFORMED:
-            improves = along + inner_cost(patch, half_width, colours, settings) - hides < 0
+            improves = aligned + inner_cost(patch, half_width, colours, settings) - hides < 0
         else:
             improves = cost < 0
         if not improves:
