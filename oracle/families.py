@@ -55,7 +55,28 @@ STYLIZATION = Family(
     },
 )
 
-FAMILIES = (STYLIZATION,)
+TEXTURE = Family(
+    "texture",
+    ("texture/v1",),
+    {
+        "white_noise": "4",
+        "grid": "4",
+        "exemplars": "3",
+        "seams": "5",
+        "guide_costs": "5",
+        "candidates": "6",
+        "costs": "7",
+        "cut": "8",
+        "closed_cut": "8",
+        "alignment": "9",
+        "raster": "10",
+        "change": "11",
+        "iteration": "12",
+        "run": "12",
+    },
+)
+
+FAMILIES = STYLIZATION, TEXTURE
 
 FAMILY_OF = {version: family for family in FAMILIES for version in family.versions}
 

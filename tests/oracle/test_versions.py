@@ -18,6 +18,7 @@ from oracle.families import FAMILY_OF, NEWEST, folder_of, spec_of
 
 DIGESTS = {
     "v1": "a23247307f921b0d0b3a43e0ad296c2d1163fde9e89d5f05d04ea891f6a136f7",
+    "texture/v1": "ca3cdd1a6f8325387c304431ed7ff77f362ca53776369eb3bd9a9f2dbb682993",
 }
 """SHA-256 of the SHA256SUMS of every version: what is published never changes."""
 
@@ -37,7 +38,7 @@ def test_descriptions_follow_the_schema(version):
     schema = jsonschema.Draft202012Validator(json.loads(text))
     schema.check_schema(schema.schema)
     files = sorted(folder_of(version).glob("*/*/case.json"))
-    assert len(files) > 200
+    assert len(files) > 100
     assert schema.schema["properties"]["version"]["const"] == version
     for file in files:
         schema.validate(json.loads(file.read_text(encoding="utf-8")))

@@ -114,6 +114,7 @@ def make_polar(radius: int, radial_samples: float, angular_samples: float, weigh
     weighting : {"arc_length", "printed"}
     """
     rows, columns = polar_size(radius, radial_samples, angular_samples)
+    radial_samples = columns / radius  # whole columns: the last cut is at R, not beyond the window
     centre = radius + MARGIN
     side = 2 * centre + 1
     angles = np.arange(rows)[:, None] * (2 * np.pi / rows)

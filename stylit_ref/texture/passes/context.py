@@ -58,7 +58,8 @@ def read_context(
     total, free = np.int64(0), 0
     for j in range(side):
         row = (y + j - centre) % height
-        reach = min(half_width[j] + MARGIN - 1, centre)
+        # An edge y belongs to the row above it, which may be the wider one.
+        reach = min(max(half_width[j], half_width[max(j - 1, 0)]) + MARGIN - 1, centre)
         place = j * side + centre - reach
         column = (x - reach) % width
         inward_y = stride if j < centre else -stride

@@ -117,10 +117,12 @@ def _least(a, b):
 def _came_from(totals, steps, y, x, above, max_jump):
     """The column in row y - 1 from which the best path reaches column x of row y.
 
-    Of several, that farthest to the left.
+    Of several, that farthest to the left. The columns that were added on either side do not count:
+    where all others are blocked, a path would leave the table through them.
     """
     best, origin = np.int32(2147483647), x
-    for j in range(x - max_jump, x + max_jump + 1):
+    last = totals.shape[1] - max_jump
+    for j in range(max(x - max_jump, max_jump), min(x + max_jump + 1, last)):
         total = np.int32(totals[y - 1, j] + abs(np.int32(steps[above, x] - steps[above, j])))
         if total < best:
             best, origin = total, j

@@ -1,0 +1,70 @@
+"""8. The best closed cut."""
+
+import numpy as np
+
+from .spec_01_names import BLOCKED
+
+
+def fill(crossing, steps, jump, first_row, start):
+    """Fill T, and from where the path comes to each of its entries."""
+    rows, columns = crossing.shape
+    totals = np.zeros((rows + 1, columns), int)
+    origins = np.zeros((rows + 1, columns), int)
+    for x in range(columns):
+        totals[0, x] = crossing[first_row, x] if start in (-1, x) else BLOCKED
+    for y in range(1, rows + 1):
+        sums = steps[(first_row + y - 1) % rows]
+        for x in range(columns):
+            reached = range(max(x - jump, 0), min(x + jump, columns - 1) + 1)
+            ways = [(totals[y - 1, j] + abs(sums[x] - sums[j]), j) for j in reached]
+            total, origins[y, x] = min(ways)
+            own = crossing[(first_row + y) % rows, x] if y < rows else 0
+            totals[y, x] = min(total + own, BLOCKED)
+    return totals, origins
+
+
+def follow(origins, end):
+    """Follow a path up; its column in every row of T."""
+    path = [end]
+    for y in range(len(origins) - 1, 0, -1):
+        path.insert(0, origins[y, path[0]])
+    return path
+
+
+def best_closed(crossing, steps, jump, first_row, start):
+    """Find the best closed path."""
+    rows, columns = crossing.shape
+    totals, origins = fill(crossing, steps, jump, first_row, start)
+    if start < 0:
+        closed = [x for x in range(columns) if follow(origins, x)[0] == x]
+        start = min(closed, key=lambda x: totals[rows, x])
+    path = np.zeros(rows, int)
+    for y, x in enumerate(follow(origins, start)[:-1]):
+        path[(first_row + y) % rows] = x
+    return totals, path, int(totals[rows, start])
+
+
+def closed_cut(crossing, steps, jump, second_pass):
+    """Find the best closed cut, in one pass or two."""
+    _, path, cost = best_closed(crossing, steps, jump, 0, -1)
+    if second_pass and cost < BLOCKED // 2:
+        half = len(path) // 2
+        _, path, cost = best_closed(crossing, steps, jump, half, path[half])
+    return path, cost
+
+
+def stage_cut(p, a):
+    """Do stage cut."""
+    tables = zip(a["crossing"], a["steps"], a["starts"].tolist(), strict=True)
+    found = [best_closed(c, s, p["max_jump"], p["first_row"], start) for c, s, start in tables]
+    return {name: [one[k] for one in found] for k, name in enumerate(("totals", "paths", "costs"))}
+
+
+def stage_closed_cut(p, a):
+    """Do stage closed_cut."""
+    tables = zip(a["crossing"], a["steps"], strict=True)
+    found = [closed_cut(c, s, p["max_jump"], p["second_pass"]) for c, s in tables]
+    return {"paths": [path for path, _ in found], "costs": [cost for _, cost in found]}
+
+
+STAGES = {"cut": stage_cut, "closed_cut": stage_closed_cut}

@@ -1,0 +1,141 @@
+"""A port of texture synthesis written from its text alone passes; mistakes are found in stages."""
+
+import re
+import shutil
+from pathlib import Path
+
+import naive_texture
+import pytest
+
+from oracle.check import check
+from oracle.compare import FAILED
+from oracle.families import TEXTURE
+from oracle.ports import ModulePort
+
+NAIVE = Path(naive_texture.__file__).parent
+VERSION = TEXTURE.versions[-1]
+
+
+def first_failure(port):
+    """The first case that fails, if any does."""
+    outcomes = check(port, VERSION)
+    return next((outcome for outcome in outcomes if outcome.status == FAILED), None)
+
+
+@pytest.mark.slow
+def test_a_port_written_from_the_text_alone_gives_the_same():
+    assert not any("stylit_ref" in file.read_text(encoding="utf-8") for file in NAIVE.glob("*.py"))
+    assert first_failure(ModulePort("naive_texture")) is None
+
+
+MISTAKES = {
+    "white noise by columns": ("y * width + x, 0)[0]", "x * height + y, 0)[0]", "white_noise"),
+    "an iteration counted from 1": (
+        "philox(position, number, iteration,",
+        "philox(position, number, iteration + 1,",
+        "white_noise",
+    ),
+    "cells at equal distances": (
+        "(first + i * side // count) % side",
+        "(first + i * (side // count)) % side",
+        "grid",
+    ),
+    "phases in columns": (
+        "for v in range(4):\n        for u in range(4):",
+        "for u in range(4):\n        for v in range(4):",
+        "exemplars",
+    ),
+    "phases cut off instead of rounded": ("+ b * v + 8) >> 4", "+ b * v) >> 4", "exemplars"),
+    "the literal cost of existing seams": (
+        "distance(here, before) + distance(there, after)",
+        "2 * distance(there, after)",
+        "seams",
+    ),
+    "powers of doubles": (
+        "power = np.float32(power * q)",
+        "power = power * np.float64(q)",
+        "seams",
+    ),
+    "a quotient of integers": (
+        "power = np.float32(1) * q",
+        "q = np.float32(np.floor(q * 4096) / 4096)\n    power = q",
+        "seams",
+    ),
+    "costs rounded to the nearest": (
+        "return int(min(np.float32(power * np.float32(256)), np.float32(2**24)))",
+        "return round(float(min(np.float32(power * np.float32(256)), np.float32(2**24))))",
+        "seams",
+    ),
+    "the high half of a word decides on coherence": (
+        "words[1] % 65536 <",
+        "words[1] >> 16 <",
+        "candidates",
+    ),
+    "distances of candidates without a limit": (
+        "int(shown)), 20000)",
+        "int(shown)), 200000)",
+        "candidates",
+    ),
+    "a lock that is ignored": (
+        "return self.anything_locked and bool(",
+        "return bool(0) and bool(",
+        "costs",
+    ),
+    "edges without a limit": ('return min(cost, self.p["limit"])', "return cost", "costs"),
+    "a ray that ends a column late": ("max(ended - 1, 0)", "ended", "costs"),
+    "products cut off instead of rounded": ("(value + 8192) >> 14", "value >> 14", "costs"),
+    "ties to the right": (
+        "= min(ways)",
+        "= min(ways, key=lambda way: (way[0], -way[1]))",
+        "cut",
+    ),
+    "no step that closes the cut": (
+        "abs(sums[x] - sums[j])",
+        "(abs(sums[x] - sums[j]) if y < rows else 0)",
+        "cut",
+    ),
+    "a cut that need not close": ("if follow(origins, x)[0] == x]", "]", "cut"),
+    "a second pass from the first row": (
+        "jump, half, path[half])",
+        "jump, 0, path[0])",
+        "closed_cut",
+    ),
+    "shifts the other way": ("there = (y + k) % rows", "there = (y - k) % rows", "alignment"),
+    "quarters of x before those of y": (
+        "4 * (qy % 4) + qx % 4",
+        "4 * (qx % 4) + qy % 4",
+        "alignment",
+    ),
+    "a raster up to the column before": ("border[path[row] + 1]", "border[path[row]]", "raster"),
+    "the row below an angle, not the nearest": ("(angle + 128) >> 8", "angle >> 8", "raster"),
+    "deformation that does not fade": ('int(a["powers"][ratio])', "4096", "raster"),
+    "a change without guides": ('if p["guide_weight"]:', "if False:", "change"),
+    "patches written one after another": (
+        "    for (y, x), (_, _, pixels) in zip(cells, judged, strict=True):\n"
+        "        if pixels is not None:",
+        "    judged = []\n"
+        "    for cell, (y, x) in enumerate(cells):\n"
+        "        judged.append(fit(p, a, centres, cell, y, x))\n"
+        "        count_seams(p, a)\n"
+        "        pixels = judged[-1][2]\n"
+        "        if pixels is not None:",
+        "iteration",
+    ),
+    "the last of several cuts": ("or cost < best[0]", "or True", "iteration"),
+    "deformation whether it helps or not": ("if bent_change < changed:", "if True:", "iteration"),
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("mistake", MISTAKES)
+def test_a_mistake_is_found_at_its_stage(mistake, tmp_path, monkeypatch):
+    right, wrong, stage = MISTAKES[mistake]
+    name = f"mistaken_texture_{list(MISTAKES).index(mistake)}"
+    shutil.copytree(NAIVE, tmp_path / name, ignore=shutil.ignore_patterns("__pycache__"))
+    sections = sorted((tmp_path / name).glob("spec_*.py"))
+    file = next(file for file in sections if right in file.read_text(encoding="utf-8"))
+    file.write_text(file.read_text(encoding="utf-8").replace(right, wrong, 1), encoding="utf-8")
+    monkeypatch.syspath_prepend(tmp_path)
+    found = first_failure(ModulePort(name))
+    assert found.stage == stage
+    assert re.search(r"it must be .*(differ\)|\))$", found.difference.message)
