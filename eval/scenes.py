@@ -50,6 +50,12 @@ class Scene:
         return f"{width}x{height}"
 
     @property
+    def pixels(self):
+        """Pixels of the target."""
+        height, width = self.target_guides[0].shape[:2]
+        return height * width
+
+    @property
     def shown_guide(self):
         """The target guide to show in figures: the full render if there is one."""
         names = self.guide_names
