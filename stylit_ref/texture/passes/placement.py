@@ -115,7 +115,7 @@ def fit_patch(
         existing_seams(context.seams, polar, saved)
 
     source, cost = np.int64(-1), np.int32(BLOCKED)
-    hides = np.int64(0)
+    hides, steps_cost = np.int64(0), np.int64(0)
     for attempt in range(settings.tries):
         candidate = find_candidate(
             texture, sources, settings, context, stream, cell, attempt * settings.prescreened, y, x
@@ -146,14 +146,18 @@ def fit_patch(
         if found < cost:
             cost, source = found, candidate
             path, other_path = other_path, path
-            hides = np.int64(0)
+            hides, steps_cost = np.int64(0), np.int64(0)
             for angle in range(path.size):
-                hides += saved[angle, path[angle]]
+                column = path[angle]
+                after = path[angle + 1 if angle + 1 < path.size else 0]
+                hides += saved[angle, column]
+                steps_cost += abs(steps[angle, jump + after] - steps[angle, jump + column])
     if cost >= BLOCKED // 2:
         return REJECTED, np.int64(0)
     if cost >= 0 and (settings.predicate == _BEFORE or settings.predicate == _EXACT):
         return REJECTED, np.int64(0)
-    aligned = np.int32(0)
+    # ℰ(C[D]): colours slide along the cut; what its steps along rays cost stays (section 5).
+    aligned = np.int64(0)
     if settings.max_shift:
         shift_costs, shift_steps = work.shift_costs[thread], work.shift_steps[thread]
         alignment_costs(
@@ -164,7 +168,9 @@ def fit_patch(
         less, more = row[0, :padded], row[1, :padded]
         shift_totals = work.shift_totals[thread]
         accumulate(shift_costs, shift_steps, 1, 0, -1, shift_totals, less, more)
-        aligned = closed_path(shift_totals, shift_steps, 1, 0, -1, shifts, ends, columns_now)
+        aligned = steps_cost + closed_path(
+            shift_totals, shift_steps, 1, 0, -1, shifts, ends, columns_now
+        )
         for angle in range(shifts.size):
             shifts[angle] -= settings.max_shift
     if settings.predicate == _AFTER and cost >= 0 and aligned >= hides:
