@@ -26,8 +26,10 @@ class Outcome:
     stages : dict of str to float
         Seconds by stage.
     history : pandas.DataFrame
-        A row for each step of the search, with ``delta`` and, if the method has it,
+        A row for each step: of a search with ``delta`` and, if the method has it,
         ``penalization``.
+    coordinates : (H, W, 3) int32, optional
+        S of a texture: exemplar, y and x in quarters of a pixel.
     """
 
     image: np.ndarray
@@ -38,3 +40,4 @@ class Outcome:
     levels: tuple[np.ndarray, ...] = ()
     stages: dict[str, float] = field(default_factory=dict)
     history: pd.DataFrame = field(default_factory=pd.DataFrame)
+    coordinates: np.ndarray | None = None

@@ -10,7 +10,7 @@ import numpy as np
 from data_gen.guides import LIGHT_PASSES
 from data_gen.manifest import DataError, Manifest
 from stylit_ref import InputError, read_uint8
-from stylit_ref.files.read_guides import read_guides
+from stylit_ref.files.guides.read_guides import read_guides
 
 BUNDLED = Path(__file__).parents[1] / "data_gen" / "bundled"
 DEFAULT = "golem/crayon"
@@ -48,6 +48,12 @@ class Scene:
         """Width and height of the target as text."""
         height, width = self.target_guides[0].shape[:2]
         return f"{width}x{height}"
+
+    @property
+    def pixels(self):
+        """Pixels of the target."""
+        height, width = self.target_guides[0].shape[:2]
+        return height * width
 
     @property
     def shown_guide(self):

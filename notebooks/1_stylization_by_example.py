@@ -29,7 +29,7 @@ from eval.metrics.spilling import spilling
 from eval.pages.figures import nnf_colours
 from eval.scenes import load_scene
 from stylit_ref import Params, replay, stylize
-from stylit_ref.files.bit_depth import to_linear, to_uint8
+from stylit_ref.files.colour.bit_depth import to_linear, to_uint8
 
 scene = load_scene("golem/oil")
 

@@ -14,7 +14,7 @@ from oracle.ports import TIMEOUT, CommandPort, ModulePort, import_port
 from oracle.progress import progress
 from oracle.report import summary, tell_failures, write_report
 from stylit_ref.errors import InputError
-from stylit_ref.files.output_file import check_distinct, check_writable
+from stylit_ref.files.disk.paths import check_distinct, check_writable
 
 
 def add_commands(commands) -> None:

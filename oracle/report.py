@@ -11,7 +11,7 @@ from oracle.families import spec_of
 from oracle.ports import EXIT_NOT_OFFERED
 from oracle.progress import say
 from stylit_ref import __version__
-from stylit_ref.files.output_file import write_text
+from stylit_ref.files.disk.whole_file import write_text
 
 HOW_TO_DECLINE = (
     f"If the port does not do these stages yet, let it end with exit code {EXIT_NOT_OFFERED}, or "

@@ -12,11 +12,11 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from stylit_ref.errors import InputError
-    from stylit_ref.files.bit_depth import to_uint8
+    from stylit_ref.files.colour.bit_depth import to_uint8
     from stylit_ref.files.field import Field
-    from stylit_ref.files.guide_encoding import GuideEncoding
+    from stylit_ref.files.guides.encoding import GuideEncoding
+    from stylit_ref.files.guides.read_guides import Guides, read_guides
     from stylit_ref.files.nnf_file import read_nnf, write_nnf
-    from stylit_ref.files.read_guides import Guides, read_guides
     from stylit_ref.files.read_image import read_image, read_uint8
     from stylit_ref.files.write_image import write_image
     from stylit_ref.machine.profiling import Profile
@@ -60,11 +60,11 @@ __version__ = "0.1.0"
 
 _HOMES = {
     "errors": ("InputError",),
-    "files.bit_depth": ("to_uint8",),
+    "files.colour.bit_depth": ("to_uint8",),
     "files.field": ("Field",),
-    "files.guide_encoding": ("GuideEncoding",),
+    "files.guides.encoding": ("GuideEncoding",),
+    "files.guides.read_guides": ("Guides", "read_guides"),
     "files.nnf_file": ("read_nnf", "write_nnf"),
-    "files.read_guides": ("Guides", "read_guides"),
     "files.read_image": ("read_image", "read_uint8"),
     "files.write_image": ("write_image",),
     "machine.profiling": ("Profile",),

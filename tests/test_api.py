@@ -46,7 +46,7 @@ def test_another_name_is_an_error():
 @pytest.mark.parametrize(
     ("imported", "absent"),
     [
-        ("stylit_ref.errors, stylit_ref.files.output_file", ("numba", "numpy", "OpenImageIO")),
+        ("stylit_ref.errors, stylit_ref.files.disk.whole_file", ("numba", "numpy", "OpenImageIO")),
         ("stylit_ref; stylit_ref.stylize", ("OpenImageIO", "skimage", "scipy.optimize")),
         ("stylit_ref; stylit_ref.read_image", ("numba",)),
     ],

@@ -4,7 +4,8 @@ A file has
 
 - ``NUMBERS``: a :class:`eval.number.Number` for each number it gives, by name;
 - ``DEFINITION``: explains the numbers, as an item of a Markdown list;
-- ``measure(scene, outcome)``: the numbers by name, without those that do not apply.
+- ``measure(scene, outcome)``: the numbers by name, without those that do not apply. Those of a
+  :class:`eval.textures.Texture` give none for a scene of stylization.
 
 Every file in this folder is a metric; no list has to name it.
 """

@@ -22,7 +22,7 @@ from gpu_cuda.host import doctor
 from gpu_cuda.host.device import kernel_times
 from gpu_cuda.variants import launched_commit, live, shared_memory
 from stylit_ref import Params
-from stylit_ref.files.output_file import write_text
+from stylit_ref.files.disk.whole_file import write_text
 from stylit_ref.stylization.backends import Backend
 from stylit_ref.stylization.problem import make_synthesis
 

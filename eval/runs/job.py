@@ -8,6 +8,7 @@ from functools import cached_property
 from typing import Any
 
 from eval.scenes import Scene
+from eval.textures import Texture
 
 _LETTERS = str.maketrans({"λ": "lambda", "ε": "epsilon"})
 
@@ -18,7 +19,7 @@ class Job:
 
     Attributes
     ----------
-    scene : Scene
+    scene : Scene or Texture
     method : object
         One of :mod:`eval.methods`.
     seed : int
@@ -26,7 +27,7 @@ class Job:
         Device that it runs on, since times depend on it. By default the method's device here.
     """
 
-    scene: Scene
+    scene: Scene | Texture
     method: Any
     seed: int = 0
     place: str | None = None
@@ -55,5 +56,4 @@ class Job:
     @property
     def cost(self):
         """Rough time of the run, in units of ``ref`` on one pixel."""
-        height, width = self.scene.target_guides[0].shape[:2]
-        return height * width * self.method.cost
+        return self.scene.pixels * self.method.cost

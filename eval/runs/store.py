@@ -12,7 +12,7 @@ import pandas as pd
 from eval.metrics import CODES, METRICS
 from eval.outcome import Outcome
 from eval.provenance import provenance
-from stylit_ref.files.output_file import whole_file, write_text
+from stylit_ref.files.disk.whole_file import whole_file, write_text
 
 RUNS = Path("build/runs")
 MEASURES = Path("build/measures")
@@ -42,7 +42,7 @@ def run_file(job):
 def encoded(job, outcome):
     """The result of a job as bytes, for :func:`store`."""
     arrays = {"image": outcome.image}
-    for name in ("nnf", "omega", "guide_map"):
+    for name in ("nnf", "omega", "guide_map", "coordinates"):
         if getattr(outcome, name) is not None:
             arrays[name] = getattr(outcome, name)
     arrays |= {f"level_{number}": image for number, image in enumerate(outcome.levels, 1)}
@@ -101,6 +101,7 @@ def read(file):
                 levels=tuple(file[f"level_{number}"] for number in range(1, count + 1)),
                 stages=facts["stages"],
                 history=pd.DataFrame(facts["history"]),
+                coordinates=file.get("coordinates"),
                 key=facts["key"],
                 made=facts["made"],
             )

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from stylit_ref.files.bit_depth import to_depth
+from stylit_ref.files.colour.bit_depth import to_depth
 from stylit_ref.files.read_image import read_image
 from stylit_ref.files.write_image import FLOAT_FORMATS, check_image_writable
 from stylit_ref.notes import note

@@ -9,7 +9,8 @@ from tempfile import TemporaryDirectory
 
 from stylit_ref.cli.parser import Parser
 from stylit_ref.errors import InputError
-from stylit_ref.files.output_file import real_path, temporary_name
+from stylit_ref.files.disk.paths import real_path
+from stylit_ref.files.disk.whole_file import temporary_name
 
 _MANIFEST = "manifest.json"
 

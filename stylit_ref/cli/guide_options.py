@@ -4,8 +4,8 @@ import argparse
 from collections.abc import Sequence
 
 from stylit_ref.errors import InputError
-from stylit_ref.files.guide_encoding import GuideEncoding
-from stylit_ref.files.layer_names import split_layer
+from stylit_ref.files.disk.paths import split_layer
+from stylit_ref.files.guides.encoding import GuideEncoding
 from stylit_ref.files.nnf_file import read_nnf
 
 

@@ -8,9 +8,10 @@ from numpy.typing import NDArray
 
 from stylit_ref.cli.guide_options import add_guide_options, guide_encoding, guide_files
 from stylit_ref.errors import InputError
-from stylit_ref.files.guide_encoding import GuideEncoding
+from stylit_ref.files.guides.encoding import GuideEncoding
+from stylit_ref.files.guides.read_guides import read_guides
+from stylit_ref.files.layers.names import SeveralLayersError
 from stylit_ref.files.picture import read_picture
-from stylit_ref.files.read_guides import read_guides
 from stylit_ref.files.read_image import displayed, read_mask, read_uint8
 from stylit_ref.stylization.checks import check_fill, check_guides, check_mask
 
@@ -85,7 +86,11 @@ def read_images(options: argparse.Namespace) -> ImagesIn:
     style = displayed(options.style, picture)
     deep_style = None if picture.pixels.dtype == np.uint8 else picture.pixels
     files = guide_files(options)
-    guides = read_guides(files, guide_encoding(options))
+    try:
+        guides = read_guides(files, guide_encoding(options))
+    except SeveralLayersError as error:
+        other_way = ", or name layers of both files with --guide-layers"
+        raise SeveralLayersError(error.file, error.best, error.names, other_way) from None
     sources, (targets,) = guides.source, guides.targets
     names = ([f"--guide {path}" for path in side] for side in zip(*files, strict=True))
     check_guides(style, sources, targets, *names)

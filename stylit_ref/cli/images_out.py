@@ -9,14 +9,14 @@ from numpy.typing import NDArray
 
 from stylit_ref.cli.deep_images import DeepImages, read_deep_images
 from stylit_ref.cli.images_in import ImagesIn, paths_in
-from stylit_ref.files.colour_profile import (
+from stylit_ref.files.colour.profile import (
     ColourProfile,
     note_another_profile,
     read_colour_profile,
 )
+from stylit_ref.files.disk.paths import check_distinct, check_folder
 from stylit_ref.files.field import Field
 from stylit_ref.files.nnf_file import check_nnf_writable, write_nnf
-from stylit_ref.files.output_file import check_distinct, check_folder
 from stylit_ref.files.write_image import check_image_writable, write_image
 from stylit_ref.stylization.mask import filled_channels
 from stylit_ref.stylization.params import Params

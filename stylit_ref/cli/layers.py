@@ -6,15 +6,17 @@ from pathlib import Path
 
 from stylit_ref.cli.parser import Parser
 from stylit_ref.errors import one_line
-from stylit_ref.files.cryptomatte import cryptomattes_of
-from stylit_ref.files.layer_names import existing_file, whole_name
-from stylit_ref.files.layers import Contents, Layer, contents_of
+from stylit_ref.files.disk.paths import existing_file
+from stylit_ref.files.layers.contents import Contents, contents_of
+from stylit_ref.files.layers.cryptomatte import cryptomattes_of
+from stylit_ref.files.layers.layer import Layer
+from stylit_ref.files.layers.names import whole_name
 
 _DESCRIPTION = """\
 List the layers of an image file as the other commands call them, their channels, and what each can
 serve as. A picture goes through the sRGB curve where it is floating point, data does not. What has
-one channel can also be a mask. A Cryptomatte has a matte for each name, and without a name it is a
-guide of labels. For instance:
+one channel can also be a mask. Labels are IDs: as a guide each has a colour of its own. A
+Cryptomatte has a matte for each name, and without a name it is labels. For instance:
 
   stylit-ref layers scene.exr"""
 
@@ -41,8 +43,9 @@ def _rows(file: Path, contents: Contents) -> Iterator[tuple[str, str, str]]:
     """What one writes for each layer, its channels, and what it can serve as."""
     cryptomattes = cryptomattes_of(contents)
     ranks = {layer for cryptomatte in cryptomattes for layer in cryptomatte.ranks}
+    names = {cryptomatte.name for cryptomatte in cryptomattes}
     for layer in contents.layers:
-        if layer in ranks:
+        if layer in ranks or layer.name in names:  # the other has a preview for people
             continue
         yield _row(file, layer)
         if not layer.is_deep:
@@ -51,8 +54,9 @@ def _rows(file: Path, contents: Contents) -> Iterator[tuple[str, str, str]]:
                 if not colours.issuperset(channel.numbers):
                     yield _row(file, channel)
     for cryptomatte in cryptomattes:
+        yield _shown(file, cryptomatte.name), "", "labels"
         name = _shown(file, f"{cryptomatte.name}/NAME")
-        yield name, "", one_line(f"mask, data: Cryptomatte; {cryptomatte.known_names}")
+        yield name, "", one_line(f"mask, data: Cryptomatte; {cryptomatte.manifest.known_names}")
 
 
 def _row(file, layer):
@@ -62,8 +66,11 @@ def _row(file, layer):
 def _serves_as(layer: Layer) -> str:
     if layer.is_deep:
         return "nothing: its pixels are deep; oiiotool --flatten makes a picture of them"
-    kind = "picture" if layer.is_light else "data"
-    return f"mask, {kind}" if len(layer.roles) == 1 else kind
+    if layer.may_be_labels and layer.types == ("uint",):  # too large for the others
+        return "labels"
+    uses = ["mask"] if len(layer.roles) == 1 else []
+    uses.append("picture" if layer.is_light else "data")
+    return ", ".join([*uses, "labels"] if layer.may_be_labels else uses)
 
 
 def _shown(file, name):

@@ -6,10 +6,10 @@ from time import perf_counter
 from stylit_ref.cli.deep_images import holds_bits_of
 from stylit_ref.cli.finished import tell_finished
 from stylit_ref.cli.parser import Parser
-from stylit_ref.files.bit_depth import to_depth
-from stylit_ref.files.colour_profile import note_another_profile, read_colour_profile
+from stylit_ref.files.colour.bit_depth import to_depth
+from stylit_ref.files.colour.profile import note_another_profile, read_colour_profile
+from stylit_ref.files.disk.paths import check_distinct
 from stylit_ref.files.nnf_file import read_nnf
-from stylit_ref.files.output_file import check_distinct
 from stylit_ref.files.read_image import read_image, read_mask
 from stylit_ref.files.write_image import check_image_writable, write_image
 from stylit_ref.stylization.replaying import replay

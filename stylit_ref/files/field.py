@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 if TYPE_CHECKING:
-    from stylit_ref.files.guide_encoding import GuideEncoding
+    from stylit_ref.files.guides.encoding import GuideEncoding
 
 
 @dataclass(frozen=True, eq=False)

@@ -17,9 +17,10 @@ from pathlib import Path
 import numpy as np
 
 from stylit_ref.errors import InputError
+from stylit_ref.files.disk.paths import check_regular, check_writable, real_path
+from stylit_ref.files.disk.whole_file import whole_file
 from stylit_ref.files.field import Field
-from stylit_ref.files.guide_encoding import GuideEncoding
-from stylit_ref.files.output_file import check_regular, check_writable, real_path, whole_file
+from stylit_ref.files.guides.encoding import GuideEncoding
 
 
 def read_nnf(path: str | Path) -> Field:

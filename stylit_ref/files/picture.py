@@ -8,17 +8,17 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from stylit_ref.files.channels import words_of
-from stylit_ref.files.cryptomatte import (
+from stylit_ref.files.disk.paths import split_layer
+from stylit_ref.files.layers.contents import contents_of
+from stylit_ref.files.layers.cryptomatte import (
     cryptomattes_of,
     find_cryptomatte,
     find_matte,
     read_labels,
     read_matte,
 )
-from stylit_ref.files.layer_names import find_layer, split_layer
-from stylit_ref.files.layer_pixels import read_layer
-from stylit_ref.files.layers import Layer, contents_of
+from stylit_ref.files.layers.names import find_layer
+from stylit_ref.files.layers.pixels import read_layer
 from stylit_ref.notes import note
 
 
@@ -62,7 +62,7 @@ def read_picture(path: str | Path, *, is_guide: bool = False) -> Picture:
     path : str or Path
     is_guide : bool
         Whether a whole Cryptomatte is read, as labels; and as of
-        :func:`~stylit_ref.files.layer_pixels.read_layer`.
+        :func:`~stylit_ref.files.layers.pixels.read_layer`.
 
     Returns
     -------
@@ -78,15 +78,15 @@ def read_picture(path: str | Path, *, is_guide: bool = False) -> Picture:
     cryptomattes = cryptomattes_of(contents)
     cryptomatte = find_cryptomatte(name, cryptomattes) if is_guide else None
     if cryptomatte:
-        names = {number: name for name, number in (cryptomatte.manifest or {}).items()}
+        names = {number: name for name, number in cryptomatte.manifest.ids.items()}
         labels = read_labels(path, file, cryptomatte)
         return Picture(labels, None, False, _last(cryptomatte.name), labels=names)
     matte = find_matte(file, name, cryptomattes)
     if matte:
         return Picture(read_matte(path, file, *matte), None, False, matte[1])
     layer = find_layer(file, name, contents)
-    if contents.has_frames:
-        note(f"{path}: holds several images; the first is read")
+    if contents.left_out:
+        note(f"{file}: {contents.left_out}")
     pixels = read_layer(path, file, layer, is_guide=is_guide)
     alpha_channel = layer.alpha_channel
     if alpha_channel is not None:
@@ -100,16 +100,11 @@ def read_picture(path: str | Path, *, is_guide: bool = False) -> Picture:
     if layer.roles[:3] == ("Y", "RY", "BY"):
         pixels = _colours_of_luminance(pixels)
     known_as = _last(layer.name) if name and layer.name else file.name
-    return Picture(pixels, alpha_channel, layer.is_light, known_as, _words(layer))
+    return Picture(pixels, alpha_channel, layer.is_light, known_as, layer.words)
 
 
 def _last(name):
     return name.rpartition(".")[2]
-
-
-def _words(layer: Layer):
-    names = layer.name, *layer.also, *(channel.name for channel in layer.channels)
-    return frozenset().union(*map(words_of, names))
 
 
 def _colours_of_luminance(pixels):

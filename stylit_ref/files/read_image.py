@@ -1,6 +1,6 @@
 """Read images with OpenImageIO: PNG, TIFF, JPEG, (multilayer) EXR, ...
 
-Files are read at their own depth or converted to 8 bits (:mod:`stylit_ref.files.bit_depth`).
+Files are read at their own depth or converted to 8 bits (:mod:`stylit_ref.files.colour.bit_depth`).
 An alpha channel that is opaque everywhere is dropped, and so is one that is 0 everywhere, which
 renderers and game tools leave empty. Otherwise colours are multiplied by it, so that averages of
 transparent pixels come out right.
@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from stylit_ref.files.bit_depth import to_uint8_by_rows
+from stylit_ref.files.colour.bit_depth import to_uint8_by_rows
 from stylit_ref.files.picture import Picture, read_picture
 from stylit_ref.notes import note
 
@@ -36,7 +36,7 @@ def read_image(path: str | Path) -> NDArray[np.uint8 | np.uint16 | np.float32]:
     ------
     InputError
         If the file or layer is missing, cannot be read, declares more than
-        :data:`~stylit_ref.files.image_file.LARGEST_IMAGE` values, or holds NaN or infinity.
+        :data:`~stylit_ref.files.disk.image_file.LARGEST_IMAGE` values, or holds NaN or infinity.
     """
     return read_picture(path).pixels
 
@@ -56,7 +56,7 @@ def read_uint8(path: str | Path) -> NDArray[np.uint8]:
 def displayed(path: str | Path, picture: Picture) -> NDArray[np.uint8]:
     """The 8-bit display values of a picture that was read of ``path``.
 
-    A note says if more than a few values are clipped.
+    A note says how many values are clipped.
 
     Parameters
     ----------
@@ -69,11 +69,12 @@ def displayed(path: str | Path, picture: Picture) -> NDArray[np.uint8]:
     (H, W, n) uint8
     """
     if picture.pixels.dtype == np.float32:
-        clipped = np.mean((picture.colours < -0.01) | (picture.colours > 1))
-        if clipped > 0.05:
+        clipped = np.mean((picture.colours < -0.01) | (picture.colours > 1.01))
+        if clipped:
+            share = f"{clipped:.0%}" if clipped >= 0.01 else "less than 1%"
             note(
-                f"{path}: {clipped:.0%} of the values lie outside [0, 1] and are clipped",
-                level=logging.WARNING,
+                f"{path}: {share} of the values lie outside [0, 1] and are clipped",
+                level=logging.WARNING if clipped > 0.05 else logging.INFO,
             )
     curve = "srgb" if picture.is_light else "none"
     return to_uint8_by_rows(picture.pixels, picture.alpha_channel, curve)

@@ -8,9 +8,9 @@ from numpy.typing import NDArray
 
 from stylit_ref.arrays import as_array
 from stylit_ref.errors import InputError
-from stylit_ref.files.alpha import OURS_TO_DIVIDE, divided_by_alpha
-from stylit_ref.files.bit_depth import Curve, to_linear, to_uint8
-from stylit_ref.files.colour_profile import (
+from stylit_ref.files.colour.alpha import OURS_TO_DIVIDE, divided_by_alpha
+from stylit_ref.files.colour.bit_depth import Curve, to_linear, to_uint8
+from stylit_ref.files.colour.profile import (
     ColourProfile,
     add_to_png,
     add_to_spec,
@@ -18,14 +18,9 @@ from stylit_ref.files.colour_profile import (
     note_what_is_lost,
     read_colour_profile,
 )
-from stylit_ref.files.image_file import read_pixels, reason_of
-from stylit_ref.files.output_file import (
-    check_writable,
-    nearest_folder,
-    real_path,
-    temporary_name,
-    whole_file,
-)
+from stylit_ref.files.disk.image_file import read_pixels, reason_of
+from stylit_ref.files.disk.paths import check_writable, nearest_folder, real_path
+from stylit_ref.files.disk.whole_file import temporary_name, whole_file
 
 FLOAT_FORMATS = (".exr", ".hdr", ".pfm")
 """Suffixes of formats that store scene-linear floating point."""

@@ -10,8 +10,8 @@ from exr_files import write_exr
 
 from stylit_ref import read_image, read_nnf
 from stylit_ref.cli import main
-from stylit_ref.files.bit_depth import to_linear
-from stylit_ref.files.cryptomatte import id_of
+from stylit_ref.files.colour.bit_depth import to_linear
+from stylit_ref.files.layers.cryptomatte import id_of
 
 
 @pytest.fixture

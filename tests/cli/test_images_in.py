@@ -7,7 +7,7 @@ from exr_files import write_exr
 
 from stylit_ref import read_image, write_image
 from stylit_ref.cli import main
-from stylit_ref.files.bit_depth import to_linear
+from stylit_ref.files.colour.bit_depth import to_linear
 
 
 def test_weight_without_guide(scene, capsys):
@@ -109,6 +109,20 @@ class TestRefusals:
         message = refused(capsys, run(folder, guides=guides))
         assert "no layer 'LDDE'" in message
         assert "LDE, LSE" in message
+
+    @pytest.mark.parametrize(
+        ("role", "other_way"),
+        [("guide", ", or name layers of both files with --guide-layers"), ("style", "")],
+    )
+    def test_a_file_without_an_unnamed_layer(self, scene, capsys, role, other_way):
+        folder = scene[0]
+        file = write_exr(folder / "a.exr", {"V.Combined.R": 0.5, "V.DiffDir.R": 0.5})
+        names = {"style": "a.exr"} if role == "style" else {"guides": ("a.exr", "a.exr")}
+        message = refused(capsys, run(folder, **names))
+        assert message == (
+            f"stylit-ref: {file}: has several layers; write {file}:V.Combined{other_way}; "
+            "its layers are: V.Combined, V.DiffDir"
+        )
 
     def test_nan(self, scene, capsys):
         folder = scene[0]

@@ -10,8 +10,8 @@ from icc_profile import icc_profile
 
 from stylit_ref import Params, read_image, stylize, write_image
 from stylit_ref.cli import main
-from stylit_ref.files.bit_depth import to_linear
-from stylit_ref.files.colour_profile import ColourProfile, read_colour_profile
+from stylit_ref.files.colour.bit_depth import to_linear
+from stylit_ref.files.colour.profile import ColourProfile, read_colour_profile
 
 
 def test_guide_maps_are_saved_with_the_levels(scene):

@@ -32,7 +32,7 @@ from data_gen.renderer import MissingRendererError, start
 from oracle.families import STYLIZATION
 from stylit_ref import Params, read_uint8
 from stylit_ref.cli.parser import EBSYNTH
-from stylit_ref.files.bit_depth import to_linear
+from stylit_ref.files.colour.bit_depth import to_linear
 from stylit_ref.metric.packing import ONE, make_packing
 
 ROOT = Path(__file__).parents[2]

@@ -1,19 +1,26 @@
-"""Every file under a folder of public images: refused in one sentence, or read as Pillow reads it.
+"""Every file under a folder of public images: refused in one sentence, or read as others read it.
 
 ``STYLIT_CORPORA`` names the folder: for instance openexr-images, OpenImageIO-images and what
-image-rs is tested with. Damaged files are among them.
+image-rs is tested with. Damaged files are among them. Whatever is odd about a file is noted. The
+counts are printed at the end.
 """
 
+import logging
 import os
 import signal
-import warnings
+from collections import Counter
 from pathlib import Path
 
 import numpy as np
+import OpenImageIO as oiio
 import pytest
-from PIL import Image, ImageOps
+from files.other_readers import seen_by_openexr, seen_by_pillow, seen_by_tifffile
+from PIL import Image
 
-from stylit_ref import InputError, read_image
+from stylit_ref import InputError
+from stylit_ref.files.layers.contents import contents_of
+from stylit_ref.files.picture import read_picture
+from stylit_ref.files.read_image import displayed
 
 FOLDER = os.environ.get("STYLIT_CORPORA")
 FILES = sorted(file for file in Path(FOLDER or "").rglob("*") if FOLDER and file.is_file())
@@ -24,8 +31,6 @@ DIFFER = {
     "V5_A8_R8_G8_B8_Rgb_BadMask.bmp": "the same",
     "rletopdown.bmp": "OpenImageIO reads compressed rows from below, which a header may not allow",
     "pal8badindex.bmp": "a colour that the palette has not; Pillow shows another one",
-    "oiio.ico": "the first of several sizes; Pillow takes the largest",
-    "multiple_entries_with_different_bit_depth.ico": "the same",
     "oob.gif": "a frame beyond the screen; Pillow enlarges the picture",
     "issue_1455_oversized.gif": "the same",
     "dds_bc3nm.dds": "a normal of two channels, whose third OpenImageIO computes",
@@ -33,46 +38,100 @@ DIFFER = {
     "strike.tif": "multiplied by alpha in the file; dividing and multiplying loses up to 5",
     "psd_123.psd": "Photoshop mixes the colours with white by alpha; Pillow leaves them so",
     "psd_indexed_trans.psd": "the same",
-    "psd_bitmap.psd": "black and white are exchanged in one of the two libraries",
+    "psd_bitmap.psd": "1 is black in bitmaps of Photoshop; Pillow shows it white",
     "gif_animation.gif": "what the first frame leaves open; Pillow shows the background there",
     "gif_test_disposal_method.gif": "the same",
     "border_touching_layers.gif": "the same",
     "issue_1455_undersized.gif": "the same",
     "tbbn0g04.png": "a grey that is transparent, of 4 bits; Pillow looks for it among 8 bits",
     "b5-attrib.tga": "one bit of attributes, which is no alpha as OpenImageIO has it",
+    "multiple_entries_with_different_bit_depth.ico": "of two of one size the one of more colours",
+    "sky.jpg": "light beyond white, which its gain map adds; Pillow shows the picture without it",
+    "dds_bc6hu_hdr.dds": "light beyond white, which Pillow cuts off",
     "clusterfuzz-testcase-minimized-fuzzer_script_tiff-5026894169374720.tif": "damaged",
 }
-"""By name, why a file is read in another way than Pillow reads it."""
+"""By name, why a file is read in another way than others read it."""
 
-LARGEST_DIFFERENCE = 3
-"""Decoders of JPEG and of compressed textures round each in its own way."""
+READERS = {seen_by_tifffile: 1e-6, seen_by_openexr: 0, seen_by_pillow: 3.5 / 255}
+"""Other readers, and the largest difference from each.
+
+Pillow has 8 bits alone, and decoders of JPEG and of compressed textures round each in its own way.
+"""
+
+SRGB = 0.64, 0.33, 0.30, 0.60, 0.15, 0.06, 0.3127, 0.3290
 
 
-def seen_by_pillow(file):
-    """The first frame as (H, W, n) float, multiplied by alpha; None without 8 bits."""
-    try:
-        with warnings.catch_warnings(), Image.open(file) as opened:
-            warnings.simplefilter("ignore")  # of damaged files
-            image = ImageOps.exif_transpose(opened)
-            has_key = "transparency" in opened.info
-            if image.mode in ("P", "1") or has_key:
-                image = image.convert("RGBA" if has_key else "RGB")
-            pixels = np.atleast_3d(np.asarray(image)).astype(float)
-    except Exception:  # Pillow knows fewer kinds of files, and raises what it likes
-        return None
-    if image.mode not in ("L", "LA", "RGB", "RGBA"):
-        return None
-    if pixels.shape[2] in (1, 3):
-        return pixels
-    alpha = pixels[:, :, -1:]
-    if (alpha == 255).all() or (alpha == 0).all():
-        return pixels[:, :, :-1]
-    return np.concatenate([pixels[:, :, :-1] * alpha / 255, alpha], axis=2)
+def seen_elsewhere(file):
+    """The image as the first of the others has it that can read the file, and what may differ."""
+    for reader, tolerance in READERS.items():
+        try:
+            seen = reader(file)
+        except Exception:  # each knows few kinds of files, and raises what it likes
+            continue
+        if seen is not None:
+            return seen, tolerance
+    return None, None
 
 
 def in_colour(pixels):
-    """Grey with or without alpha, spread to three channels."""
-    return np.concatenate([pixels[:, :, :1]] * 3 + [pixels[:, :, 1:]], axis=2)
+    """Grey spread to three channels, and an alpha added where there is none."""
+    height, width, channels = pixels.shape
+    colours = pixels if channels in (1, 3) else pixels[:, :, :-1]
+    alpha = np.ones((height, width, 1)) if channels in (1, 3) else pixels[:, :, -1:]
+    colours = np.concatenate([colours] * 3, axis=2) if colours.shape[2] == 1 else colours
+    return np.concatenate([colours, alpha], axis=2)
+
+
+def difference(image, seen):
+    """The largest, relative to what is white; or the shapes that differ."""
+    if image.dtype != np.float32:
+        image = image / np.iinfo(image.dtype).max
+    image, seen = in_colour(image), in_colour(seen)
+    if image.shape != seen.shape:
+        return image.shape, seen.shape
+    return float(np.max(np.abs(image - seen) / np.maximum(1, np.abs(seen))))
+
+
+def oddities(file, picture):
+    """What is to be noted, as the header and other libraries tell."""
+    image = oiio.ImageInput.open(str(file))
+    spec = image.spec()
+    shared = oiio.intersection(spec.roi, spec.roi_full)
+    primaries = spec.getattribute("chromaticities")
+    pixels, alpha = picture.pixels, "".join(spec.channelnames).find("A")
+    found = {
+        "lies outside its display window": shared.width <= 0 or shared.height <= 0,
+        "what lies outside its display window": shared != spec.roi,
+        "other primaries": primaries and not np.allclose(primaries, SRGB, atol=2e-3),
+        "turned upright": spec.get_int_attribute("Orientation", 1) > 1,
+        "holds several images": has_frames(file),
+        "are clipped": pixels.dtype == np.float32
+        and ((picture.colours > 1.01) | (picture.colours < -0.01)).any(),
+        "transparent everywhere": "A" in contents_of(file).layers[0].roles
+        and not image.read_image(0, 0, alpha, alpha + 1, "float").any(),
+    }
+    if found["lies outside its display window"]:
+        found["what lies outside its display window"] = False
+    return {name for name, is_so in found.items() if is_so}
+
+
+def has_frames(file):
+    """By Pillow; the smaller copies of a texture and the layers of Photoshop are no frames."""
+    try:
+        with Image.open(file) as opened:
+            if opened.format == "ICO":
+                return len(opened.ico.entry) > 1
+            return getattr(opened, "n_frames", 1) > 1 and file.suffix not in (".tx", ".psd")
+    except Exception:
+        return False
+
+
+def outcome(file):
+    """The picture and no sentence, or no picture and the sentence of the refusal."""
+    try:
+        return read_picture(file), None
+    except InputError as refused:
+        return None, str(refused)
 
 
 @pytest.fixture(autouse=True)
@@ -87,31 +146,41 @@ def _no_file_hangs():
     signal.signal(signal.SIGALRM, before)
 
 
-def outcome(file):
-    """The image and no sentence, or no image and the sentence of the refusal."""
-    try:
-        return read_image(file), None
-    except InputError as refused:
-        return None, str(refused)
+@pytest.fixture(scope="module")
+def counts(request):
+    """How many files were read, refused, noted, compared and differ; printed at the end."""
+    counted = Counter()
+    yield counted
+    with request.config.pluginmanager.getplugin("capturemanager").global_and_fixture_disabled():
+        print("\n" + ", ".join(f"{name} {number}" for name, number in sorted(counted.items())))
 
 
 @pytest.mark.skipif(not FOLDER, reason="STYLIT_CORPORA names no folder of public images")
 @pytest.mark.slow
 @pytest.mark.parametrize("file", FILES, ids=lambda file: str(file.relative_to(FOLDER)))
-def test_a_public_file_is_refused_or_read_as_pillow_reads_it(file):
-    image, sentence = outcome(file)
+def test_a_public_file_is_refused_or_read_as_others_read_it(file, caplog, counts):
+    caplog.set_level(logging.INFO, logger="stylit_ref")
+    picture, sentence = outcome(file)
     if sentence is not None:
+        counts["refused"] += 1
         assert sentence.startswith(str(file))
         assert "\n" not in sentence
         return
+    counts["read"] += 1
+    image = picture.pixels
     assert image.size
     assert image.dtype in (np.uint8, np.uint16, np.float32)
-    seen = seen_by_pillow(file) if image.dtype == np.uint8 else None
-    if seen is None or file.name in DIFFER:
+    displayed(file, picture)
+    notes = caplog.messages
+    counts["noted"] += bool(notes)
+    odd = oddities(file, picture)
+    assert len(notes) == len(odd)
+    assert all(any(each in note for note in notes) for each in odd)
+    seen, tolerance = seen_elsewhere(file)
+    if seen is None:
         return
-    if image.shape[2] < seen.shape[2]:
-        image = in_colour(image)
-    elif seen.shape[2] < image.shape[2]:
-        seen = in_colour(seen)
-    assert image.shape == seen.shape
-    assert np.abs(image - seen).max() <= LARGEST_DIFFERENCE
+    counts["compared"] += 1
+    found = difference(image, seen)
+    differs = not isinstance(found, float) or found > tolerance
+    counts["differing"] += differs
+    assert differs == (file.name in DIFFER), found

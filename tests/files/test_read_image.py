@@ -6,9 +6,10 @@ import struct
 import numpy as np
 import OpenImageIO as oiio
 import pytest
+import tifffile
 from exr_files import write_exr
 
-from stylit_ref import InputError, read_image, read_uint8, write_image
+from stylit_ref import InputError, read_guides, read_image, read_uint8, write_image
 from stylit_ref.files.read_image import read_mask
 
 
@@ -143,15 +144,40 @@ def test_not_finite(tmp_path, value):
         read_uint8(file)
 
 
-def test_integer_layers_are_refused(tmp_path):
-    spec = oiio.ImageSpec(8, 6, 1, "uint")
-    spec.channelnames = ("ID.Y",)
+@pytest.mark.parametrize("channel", ["ID.Y", "Y", "rank"])
+def test_whole_numbers_are_labels_and_no_picture(tmp_path, channel):
+    """Those of 32 bits, exactly; floats would make one of the last two."""
+    numbers = np.uint32([3, 16777216, 16777217])
+    spec = oiio.ImageSpec(3, 1, 1, "uint")
+    spec.channelnames = (channel,)
     output = oiio.ImageOutput.create(str(tmp_path / "a.exr"))
     output.open(str(tmp_path / "a.exr"), spec)
-    output.write_image(np.full((6, 8, 1), 3, np.uint32))
+    output.write_image(numbers.reshape(1, 3, 1))
     output.close()
-    with pytest.raises(InputError, match="holds uint"):
+    with pytest.raises(InputError, match="holds whole numbers of 32 bits, which can be labels"):
         read_image(tmp_path / "a.exr")
+    (encoding,) = read_guides([[tmp_path / "a.exr"] * 2]).encodings
+    assert [label for label, _ in encoding.labels] == numbers.tolist()
+
+
+@pytest.mark.parametrize("depth", ["uint", "int16"])
+def test_other_types_of_values_are_refused(tmp_path, depth):
+    image = oiio.ImageBuf(oiio.ImageSpec(8, 6, 3, depth))
+    assert image.write(str(tmp_path / "a.tif"))
+    with pytest.raises(InputError, match=f"holds {depth} values; save it with 8-bit or 16-bit"):
+        read_image(tmp_path / "a.tif")
+
+
+def test_inks_are_refused(tmp_path):
+    """CMYK alone becomes RGB; with an alpha it has five inks."""
+    tifffile.imwrite(
+        tmp_path / "a.tif",
+        np.zeros((6, 8, 5), np.uint8),
+        photometric="separated",
+        extrasamples=["unassalpha"],
+    )
+    with pytest.raises(InputError, match="holds inks for printing; save it with R, G and B"):
+        read_image(tmp_path / "a.tif")
 
 
 def test_alpha_is_not_clipped(tmp_path, caplog):
@@ -169,11 +195,13 @@ def test_clipping_is_said(tmp_path, caplog):
 
 def test_unreadable_inputs(tmp_path):
     (tmp_path / "text.png").write_text("no image")
+    (tmp_path / "text.heic").write_text("no image")
     for path, message in (
         (tmp_path / "none.png", "none.png: no such file"),
         (f"{tmp_path / 'none.exr'}:LDE", "none.exr: no such file"),
         (tmp_path, "is a folder"),
         (tmp_path / "text.png", "text.png: cannot be read"),
+        (tmp_path / "text.heic", "is no image of a kind that can be read; save it as .png"),
     ):
         with pytest.raises(InputError, match=message):
             read_image(path)
@@ -185,3 +213,26 @@ def test_truncated_file(tmp_path, image):
     (tmp_path / "a.png").write_bytes(whole[: len(whole) // 2])
     with pytest.raises(InputError, match="cannot be read"):
         read_image(tmp_path / "a.png")
+
+
+@pytest.mark.parametrize(
+    ("rows", "level", "share"),
+    [(0, None, ""), (1, logging.INFO, "1%"), (8, logging.WARNING, "8%")],
+)
+def test_what_is_clipped_is_noted(tmp_path, caplog, rows, level, share):
+    caplog.set_level(logging.INFO, logger="stylit_ref")
+    red = np.full((100, 8), 0.5)
+    red[:rows] = 1.5
+    red[rows:50] = 1.005  # rounds to white
+    file = write_exr(tmp_path / "a.exr", {"R": red}, size=(100, 8))
+    read_uint8(file)
+    said = f"{file}: {share} of the values lie outside [0, 1] and are clipped"
+    assert caplog.record_tuples == ([("stylit_ref", level, said)] if rows else [])
+
+
+def test_little_that_is_clipped(tmp_path, caplog):
+    caplog.set_level(logging.INFO, logger="stylit_ref")
+    red = np.zeros((100, 8))
+    red[0, 0] = -1
+    read_uint8(write_exr(tmp_path / "a.exr", {"R": red}, size=(100, 8)))
+    assert "less than 1% of the values" in caplog.text

@@ -7,7 +7,7 @@ import OpenImageIO as oiio
 import pytest
 
 from stylit_ref import InputError, read_image, read_uint8, write_image
-from stylit_ref.files.output_file import whole_file
+from stylit_ref.files.disk.whole_file import whole_file
 from stylit_ref.files.write_image import check_image_writable
 
 

@@ -20,7 +20,7 @@ from data_gen.manifest import DataError, Manifest
 from eval.runs.store import read
 from stylit_ref import InputError, Params, read_image, replay, stylize, write_image
 from stylit_ref.cli import main
-from stylit_ref.files.output_file import check_writable
+from stylit_ref.files.disk.paths import check_writable
 from stylit_ref.formulae.guide_map import patch_sum, scaled_variance, variance_limit
 from stylit_ref.formulae.rounding import rounded_mean
 from stylit_ref.metric.packing import ONE, make_packing, occurrence_weight

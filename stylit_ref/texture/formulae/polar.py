@@ -28,6 +28,9 @@ WEIGHT_BITS = 14
 MARGIN = 2
 """Pixels around a patch that its window holds: the neighbours of its border, and theirs."""
 
+LARGEST_LIMIT = (1 << 16) - 1
+"""The costs of new seams are held in 16 bits."""
+
 BLOCKED = (1 << 30) - 1
 """The value of a state of the dynamic programming that no cut may pass."""
 
@@ -173,7 +176,7 @@ def cost_limit(polar: Polar, max_jump: int) -> int:
         ((1 << 31) - 1) / (1.5 * max(largest_cut, largest_step, one)),
         ((1 << 31) - 1) / (2 * int(polar.area.max()) + 1),
     )
-    return int(min(limits))
+    return int(min(*limits, LARGEST_LIMIT))
 
 
 def _nearest(values):

@@ -39,8 +39,8 @@ def existing_seams(seams: NDArray[np.int32], polar: Polar, saved: NDArray[np.int
 
 @subroutine
 def cut_costs(
-    new_x: NDArray[np.int32],
-    new_y: NDArray[np.int32],
+    new_x: NDArray[np.uint16],
+    new_y: NDArray[np.uint16],
     saved: NDArray[np.int32],
     polar: Polar,
     max_jump: int,
@@ -54,7 +54,7 @@ def cut_costs(
 
     Parameters
     ----------
-    new_x, new_y : (n * n,) int32
+    new_x, new_y : (n * n,) uint16
     saved : (H, W) int32
     polar : Polar
     max_jump : int

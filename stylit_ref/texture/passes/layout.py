@@ -100,6 +100,7 @@ class Workspace(NamedTuple):
 
     context: NDArray[np.int32]
     locked: NDArray[np.uint8]
+    new_seams: NDArray[np.uint16]
     costs: NDArray[np.int32]
     saved: NDArray[np.int32]
     crossing: NDArray[np.int32]
@@ -127,7 +128,8 @@ def make_workspace(polar: Polar, max_jump: int, max_shift: int, threads: int) ->
     return Workspace(
         context=room(4, places),
         locked=np.zeros((threads, places), np.uint8),
-        costs=room(4, places),
+        new_seams=np.zeros((threads, 2, places), np.uint16),
+        costs=room(2, places),
         saved=room(rows, columns),
         crossing=room(rows, padded),
         steps=room(rows, padded),

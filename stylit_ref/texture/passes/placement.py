@@ -48,7 +48,8 @@ def find_cut(
     """The cut of section 4, and with the second pass a better one; returns what it costs.
 
     The second pass begins half a turn on, in the column of the cut found there, and so must end
-    there. The cut found is one of those that it chooses from: it is never worse.
+    there. The cut found is one of those that it chooses from: it is never worse. The smallest cut,
+    around the centre alone, competes too: no path from elsewhere need lead to it.
     """
     rows = path.size
     jump = settings.max_jump
@@ -59,6 +60,12 @@ def find_cut(
         start = path[half]
         accumulate(crossing, steps, jump, half, start, totals, less, more)
         cost = closed_path(totals, steps, jump, half, start, path, ends, columns_now)
+        smallest = np.int64(0)
+        for y in range(rows):
+            smallest += crossing[y, jump]
+        if smallest < cost:
+            cost = np.int32(smallest)
+            path[:] = 0
     return cost
 
 
@@ -87,7 +94,8 @@ def fit_patch(
     """
     windows, costs = work.context[thread], work.costs[thread]
     context = Context(windows[0], windows[1], windows[2], windows[3], work.locked[thread])
-    new_x, new_y, hidden, other_patch = costs[0], costs[1], costs[2], costs[3]
+    new_x, new_y = work.new_seams[thread, 0], work.new_seams[thread, 1]
+    hidden, other_patch = costs[0], costs[1]
     saved, crossing, steps = work.saved[thread], work.crossing[thread], work.steps[thread]
     totals, row, paths = work.totals[thread], work.row[thread], work.paths[thread]
     padded = crossing.shape[1]

@@ -1,0 +1,150 @@
+"""The page of the report on the paper: every table and figure."""
+
+import hashlib
+import json
+
+from eval.documents.lasram import pictures, printed, tables
+from eval.documents.lasram.claims import claims
+from eval.metrics import definitions
+from eval.pages.page import is_up_to_date, new_report
+from eval.provenance import provenance
+from eval.runs.store import numbers_of, stored
+from stylit_ref.machine.code_digest import code_digest
+
+_CODE = code_digest(__file__)
+
+
+def write_page(plan, folder):
+    """Write the report: its page, its figures, and a CSV for every table.
+
+    Parameters
+    ----------
+    plan : Plan
+        Its runs must be stored.
+    folder : Path
+
+    Returns
+    -------
+    bool
+        False if the folder already holds a report of the same runs by the same code; it is kept.
+    """
+    inputs = _inputs(plan)
+    if is_up_to_date(folder, inputs):
+        return False
+    with new_report(folder, inputs) as report:
+        quality = tables.quality(plan)
+        sections = [
+            _preface(plan),
+            *_claims(claims(plan, quality), report),
+            *_figures(plan, report),
+            *_performance(plan, report),
+            *_quality(plan, quality, report),
+            "## What the numbers are",
+            definitions(tables.SHOWN),
+        ]
+        report.page(f"Lasram and Lefebvre 2012, preset {plan.name}", sections)
+    return True
+
+
+def _preface(plan):
+    made = sorted({stored(task.job).made for task in plan.tasks})
+    seeds = " ".join(map(str, plan.preset.seeds))
+    return (
+        f"Our exemplars at 256x256, S at {plan.side}x{plan.side}, the paper's settings (section 8) "
+        "where nothing else is said: R = 64, D_max = 32, N_ρ = 2, N_θ = 1.5, J_max = 4, γ = 1, 16 "
+        f"iterations, rejection `after`. Seeds of the study of quality: {seeds}; 0 elsewhere. The "
+        "paper does not publish its exemplars, η, nor its range of colours, so compare ratios and "
+        "shapes. Made on:\n\n"
+        + "\n".join(f"- {line}" for line in made)
+        + f"\n\nReport: {provenance()}"
+    )
+
+
+def _claims(found, report):
+    return [
+        "## What the paper says, and what we found",
+        *(
+            f"- **{row.claim}** ({row.section}): **{row.verdict}**. {row.evidence}. "
+            f"*Held if {row.rule}.*"
+            for row in found.itertuples()
+        ),
+        report.csv("claims", found),
+    ]
+
+
+def _figures(plan, report):
+    def figure(name, caption, draw, *arguments):
+        return report.figure(name, caption, draw, *arguments, plan, committed=True)
+
+    return [
+        "## Figures",
+        "### Exemplars and textures (1)",
+        figure("textures", "exemplars and textures", pictures.teaser_figure),
+        "### Cuts between two pictures (3, 5)",
+        figure("overlap", "three cuts", pictures.overlap_figure, False),
+        figure("features", "three cuts across features", pictures.overlap_figure, True),
+        "Numbers are costs in M. In the second, every cut has to cross the canes.",
+        "### R (9)",
+        figure("radius", "8 iterations at every R", pictures.radius_figure),
+        "### Falling R (10)",
+        figure("falling_radius", "R from 132 by 4 to 4", pictures.falling_radius_figure),
+        "### Falling D_max (11)",
+        figure(
+            "falling_deformation", "D_max from 160 by 10 to 0", pictures.falling_deformation_figure
+        ),
+        "### Convergence (14)",
+        figure("convergence", "cost and acceptance", pictures.convergence_figure),
+        "### A large R (16)",
+        figure("large_radius", "R = 128", pictures.large_radius_figure),
+        f"16 iterations took {1000 * stored(plan.large_radius('canes')).seconds:.0f} ms here; in "
+        f"the paper {printed.RADIUS_128_MS} ms on a GTX 580.",
+        "Not shown: one patch in its polar table, aligned features and the start of D (2, 6, 7), "
+        "completion (12) and labels (13).",
+        "### A global structure (17)",
+        figure("door", "a wall with a door", pictures.door_figure),
+    ]
+
+
+def _performance(plan, report):
+    times, radii = tables.times(plan), tables.radii(plan)
+    return [
+        "## Performance",
+        report.table("times", times, times),
+        "The paper's times are of a GTX 580, ours of the processors named above. The first "
+        "iterations, from white noise, take longest. Memory is that of all arrays.",
+        "### As R grows (15)",
+        report.figure(
+            "radius_times", "time as R grows", pictures.radius_times_figure, plan, committed=True
+        ),
+        report.table("radius_times", radii, radii),
+    ]
+
+
+def _quality(plan, quality, report):
+    beside = tables.beside_quilting(quality)
+    threes = [plan.exemplars[k : k + 3] for k in range(0, len(plan.exemplars), 3)]
+    sheets = [
+        report.figure(
+            f"sheet_{k}", ", ".join(names), pictures.sheet_figure, names, plan, committed=True
+        )
+        for k, names in enumerate(threes, 1)
+    ]
+    absent = "" if plan.rivals else " No other program was named with --gmic or the like."
+    return [
+        "## Quality beside others",
+        *sheets,
+        report.table("quality", quality, tables.formatted(quality)),
+        "Bounds: pieces at most "
+        f"{tables.PIECE_BOUND:g} times image quilting's, repetition at most "
+        f"{tables.REPETITION_BOUND:.0%} above it, border from {tables.BORDERS[0]} to "
+        f"{tables.BORDERS[1]}, sw at most 1.5 times it. No number sees structures of more than 7 "
+        "pixels: look at the sheets, where broken bricks and canes have a low sw. The tile of "
+        f"img2texture is smaller than E, and so shown larger.{absent}",
+        report.table("beside_quilting", beside, beside),
+    ]
+
+
+def _inputs(plan):
+    """Identifies everything a report is made of."""
+    runs = [(task.job.key, sorted(numbers_of(task.job).items())) for task in plan.tasks]
+    return hashlib.sha256(json.dumps([plan.name, runs, _CODE]).encode()).hexdigest()

@@ -1,0 +1,201 @@
+"""Which runs the tables and figures of the paper need."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+from eval.documents.lasram.printed import SIZES
+from eval.methods.image_quilting import ImageQuilting
+from eval.methods.texture import TextureSynthesis
+from eval.methods.texture_program import TextureProgram
+from eval.runs.complete import Task
+from eval.runs.job import Job
+from eval.textures import NINE, load_texture
+from stylit_ref.texture.params import TextureParams
+
+METRICS = (
+    "border", "nearest_patch", "pieces", "repetition", "seam_cost", "sliced_wasserstein",
+)  # fmt: skip
+"""What the study of quality measures of every run."""
+
+COVERING = (1, 2, 3, 4, 5)
+"""Iterations after which it is counted how much of S is covered."""
+
+RADII = (8, 16, 32, 64, 128)
+"""R of figure 9."""
+
+LONG = 40
+"""Iterations of the plot of convergence (figure 14), and until flowers vanish."""
+
+
+@dataclass(frozen=True)
+class Preset:
+    """How much is done.
+
+    Attributes
+    ----------
+    seeds : tuple of int
+        Of the study of quality.
+    sizes : tuple of int
+        Of the table of times.
+    trials : int
+        Cuts whose quality is measured.
+    """
+
+    seeds: tuple[int, ...]
+    sizes: tuple[int, ...]
+    trials: int
+
+
+PRESETS = {
+    "quick": Preset((0,), SIZES[:3], 300),
+    "full": Preset((0, 1, 2, 3, 4), SIZES, 3000),
+}
+
+
+@dataclass(frozen=True)
+class Plan:
+    """The runs of a preset.
+
+    Attributes
+    ----------
+    name : str
+    preset : Preset
+    exemplars : tuple of str
+    rivals : tuple of TextureProgram
+        Other programs that are installed.
+    side : int
+        Height and width of S where the paper says 512.
+    """
+
+    name: str
+    preset: Preset
+    exemplars: tuple[str, ...] = NINE
+    rivals: tuple[TextureProgram, ...] = ()
+    side: int = 512
+
+    def paper(self, exemplar, label="paper", shape=None, seed=0, **changes):
+        """A run with the settings of section 8, some of them changed."""
+        params = TextureParams.preset("paper", **changes)
+        return self._job(exemplar, TextureSynthesis(label, params), shape, seed)
+
+    def default(self, exemplar, seed=0):
+        """A run with our defaults."""
+        return self._job(exemplar, TextureSynthesis(), None, seed)
+
+    def quilting(self, exemplar, seed=0):
+        """A run of image quilting."""
+        return self._job(exemplar, ImageQuilting(), None, seed)
+
+    def rival(self, exemplar, program):
+        """A run of another program."""
+        return self._job(exemplar, program, None, 0)
+
+    def _job(self, exemplar, method, shape, seed):
+        return Job(self._texture(exemplar, shape or (self.side, self.side)), method, seed)
+
+    def _texture(self, exemplar, shape):
+        key = exemplar, shape
+        if key not in self._textures:
+            self._textures[key] = load_texture(exemplar, shape)
+        return self._textures[key]
+
+    @cached_property
+    def _textures(self):
+        return {}
+
+    def covering(self, exemplar, iterations):
+        """The first iterations of the paper's settings."""
+        return self.paper(exemplar, f"paper, {iterations} iterations", iterations=iterations)
+
+    def long(self, exemplar):
+        """Figure 14."""
+        return self.paper(exemplar, f"paper, {LONG} iterations", iterations=LONG)
+
+    def of_radius(self, radius, iterations=8):
+        """Figure 9; with more iterations, flowers vanish at small R."""
+        return self.paper(
+            "flowers", f"R = {radius}, {iterations} iterations", radius=radius,
+            iterations=iterations,
+        )  # fmt: skip
+
+    def falling_radius(self, radius):
+        """Figure 10: R falls from 132 by 4 an iteration, until it is this."""
+        return self.paper(
+            "canes", f"R from 132 to {radius}", radius=132, radius_step=4,
+            iterations=(132 - radius) // 4 + 1,
+        )  # fmt: skip
+
+    def falling_deformation(self, exemplar, deformation=0):
+        """Figure 11: D_max falls from 160 by 10 an iteration, until it is this."""
+        return self.paper(
+            exemplar, f"D_max from 160 to {deformation}", (self.side, self.side // 2),
+            max_deformation=160, deformation_step=10, iterations=(160 - deformation) // 10 + 1,
+        )  # fmt: skip
+
+    def constant_deformation(self, exemplar, deformation):
+        """The same number of iterations with one D_max."""
+        return self.paper(
+            exemplar, f"D_max = {deformation}", (self.side, self.side // 2),
+            max_deformation=deformation, iterations=17,
+        )  # fmt: skip
+
+    def large_radius(self, exemplar):
+        """Figure 16."""
+        return self.paper(exemplar, "R = 128", radius=128)
+
+    def judged_by(self, predicate):
+        """The paper's settings with another way to reject patches."""
+        return self.paper("flowers", f"predicate {predicate}", predicate=predicate)
+
+    def spread(self, gamma):
+        """Deformation that fades as γ says; no patch is rejected."""
+        return self.paper("canes", f"γ = {gamma}", gamma=gamma, predicate="none", iterations=1)
+
+    def timed(self, size, radius=64):
+        """A row of the table of times, or a point of figure 15."""
+        return self.paper("gravel", f"timed, R = {radius}", (size, size), radius=radius)
+
+    @property
+    def timed_radii(self):
+        """R of figure 15."""
+        return 16, 32, 64, 96, 128
+
+    @property
+    def quality(self):
+        """Tasks of the study of quality."""
+        jobs = []
+        for exemplar in self.exemplars:
+            for seed in self.preset.seeds:
+                jobs += [self.default(exemplar, seed), self.quilting(exemplar, seed)]
+                jobs.append(self.paper(exemplar, seed=seed))
+            jobs += [self.rival(exemplar, program) for program in self.rivals]
+        return [Task(job, METRICS) for job in jobs]
+
+    @property
+    def structured(self):
+        """Exemplars with contours to align."""
+        return tuple(name for name in ("bricks", "canes", "glyphs") if name in self.exemplars)
+
+    @property
+    def tasks(self):
+        """Every run once, with the metrics to measure of it."""
+        jobs = [self.covering(name, k) for name in self.exemplars for k in COVERING]
+        jobs += [self.long(name) for name in self.exemplars]
+        jobs += [self.of_radius(radius) for radius in RADII]
+        jobs += [self.of_radius(radius, LONG) for radius in (8, 64)]
+        jobs += [self.falling_radius(radius) for radius in (72, 4)]
+        jobs += [self.falling_deformation("bricks", value) for value in (100, 50)]
+        for name in self.structured:
+            jobs.append(self.falling_deformation(name))
+            jobs += [self.constant_deformation(name, value) for value in (0, 32)]
+        jobs += [self.large_radius("canes"), self.paper("door")]
+        jobs += [self.judged_by(predicate) for predicate in ("none", "before", "after")]
+        jobs += [self.spread(gamma) for gamma in (0.25, 4)]
+        jobs += [self.timed(size) for size in self.preset.sizes]
+        jobs += [
+            self.timed(size, radius)
+            for size in self.preset.sizes[:2]
+            for radius in self.timed_radii
+        ]
+        figures = {job.key: Task(job, ("pieces",)) for job in jobs}
+        return [*self.quality, *figures.values()]

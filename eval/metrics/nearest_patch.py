@@ -1,0 +1,64 @@
+"""Whether every patch of a texture is one of the exemplar's, and every one of those is there."""
+
+import numpy as np
+from scipy.spatial import cKDTree
+from skimage.util import view_as_windows
+
+from eval.number import Number
+from eval.textures import Texture
+
+WIDTH = 7
+SAMPLES = 1500
+COMPONENTS = 24
+LARGEST_CLOUD = 65536
+
+NUMBERS = {
+    "novelty": Number("novelty", "{:.2f}"),
+    "omission": Number("omission", "{:.2f}"),
+}
+
+DEFINITION = """\
+- **novelty**: RMS difference from 1500 7x7 patches of the texture to the nearest of the exemplar's,
+  in 8-bit steps: what is new in it, such as seams. **omission**: the same from patches of the
+  exemplar to the nearest of the texture's: what is missing."""
+
+
+def measure(scene, outcome):
+    """Both distances of a texture."""
+    if not isinstance(scene, Texture):
+        return {}
+    return {
+        "novelty": nearest_patch(outcome.image, scene.exemplar),
+        "omission": nearest_patch(scene.exemplar, outcome.image),
+    }
+
+
+def nearest_patch(image, other):
+    """Mean RMS difference from patches of an image to the nearest patch of another.
+
+    Candidates are the three nearest by the other's principal components.
+
+    Parameters
+    ----------
+    image, other : (H, W, c) uint8
+
+    Returns
+    -------
+    float
+        In 8-bit steps.
+    """
+    rng = np.random.default_rng(1)
+    wanted, cloud = _patches(image, SAMPLES, rng), _patches(other, LARGEST_CLOUD, rng)
+    mean = cloud.mean(axis=0)
+    axes = np.linalg.eigh(np.cov(cloud, rowvar=False))[1][:, -COMPONENTS:]
+    _, nearest = cKDTree((cloud - mean) @ axes).query((wanted - mean) @ axes, k=3)
+    squares = ((cloud[nearest] - wanted[:, None]) ** 2).mean(axis=2)
+    return float(np.sqrt(squares.min(axis=1)).mean())
+
+
+def _patches(image, most, rng):
+    windows = view_as_windows(image, (WIDTH, WIDTH, image.shape[2]))
+    windows = windows.reshape(-1, WIDTH**2 * image.shape[2])
+    if len(windows) > most:
+        windows = windows[rng.choice(len(windows), most, replace=False)]
+    return windows.astype(float)

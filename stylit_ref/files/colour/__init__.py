@@ -1,0 +1,1 @@
+"""Colours: alpha, the depth of their values, and what a file says of them."""

@@ -1,0 +1,1 @@
+"""Files on the disk: their names, their headers, their bytes, and writing them whole."""

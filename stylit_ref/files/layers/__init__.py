@@ -1,0 +1,1 @@
+"""Layers of an image file: which there are, how one names them, and their pixels."""

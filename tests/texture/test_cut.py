@@ -1,0 +1,155 @@
+"""The cut of section 4 against brute force."""
+
+import numpy as np
+import pytest
+
+from stylit_ref.texture.formulae.polar import BLOCKED, cost_limit, make_polar
+from stylit_ref.texture.passes.cut import accumulate, closed_path
+
+
+def random_tables(rows, columns, max_jump, seed, largest=5000):
+    rng = np.random.default_rng(seed)
+    crossing = np.full((rows, columns + 2 * max_jump), BLOCKED, np.int32)
+    inner = slice(max_jump, max_jump + columns)
+    crossing[:, inner] = rng.integers(-largest, largest, (rows, columns))
+    steps = np.zeros_like(crossing)
+    steps[:, inner] = rng.integers(0, largest // 8, (rows, columns)).cumsum(axis=1)
+    steps[:, max_jump + columns :] = steps[:, [max_jump + columns - 1]]
+    return crossing, steps
+
+
+def cut(crossing, steps, max_jump, first_row=0, start=-1):
+    rows, padded = crossing.shape
+    totals = np.empty((rows + 1, padded), np.int32)
+    room = np.empty((2, padded), np.int32)
+    accumulate(crossing, steps, max_jump, first_row, start, totals, *room)
+    path, ends = np.empty(rows, np.int32), np.empty((2, padded + 1), np.int32)
+    cost = closed_path(totals, steps, max_jump, first_row, start, path, *ends)
+    return totals, path, cost
+
+
+def cost_of(path, crossing, steps, max_jump):
+    """What a closed path costs: Eq. of section 4, "Patch cost"."""
+    rows = len(path)
+    columns = path.astype(int) + max_jump
+    total = 0
+    for y in range(rows):
+        after = columns[(y + 1) % rows]
+        assert abs(after - columns[y]) <= max_jump
+        step = abs(int(steps[y, after]) - int(steps[y, columns[y]]))
+        total += int(crossing[y, columns[y]]) + step
+    return total
+
+
+def cheapest_closed(crossing, steps, max_jump):
+    """The least cost of all closed paths: one dynamic programming for every start."""
+    rows, padded = crossing.shape
+    columns = padded - 2 * max_jump
+    best = []
+    for start in range(columns):
+        totals = np.full(columns, 1 << 40)
+        totals[start] = crossing[0, max_jump + start]
+        for y in range(1, rows + 1):
+            new = np.full(columns, 1 << 40)
+            for i in range(columns):
+                for j in range(max(0, i - max_jump), min(columns, i + max_jump + 1)):
+                    step = abs(int(steps[y - 1, i + max_jump]) - int(steps[y - 1, j + max_jump]))
+                    new[i] = min(new[i], totals[j] + step)
+                if y < rows:
+                    new[i] += int(crossing[y, i + max_jump])
+            totals = new
+        best.append(totals[start])
+    return best
+
+
+@pytest.mark.parametrize("max_jump", [1, 2, 4, 5, 8])
+@pytest.mark.parametrize(("first_row", "start"), [(0, -1), (7, 5)])
+def test_every_state_is_the_minimum_over_its_jumps(max_jump, first_row, start):
+    crossing, steps = random_tables(17, 24, max_jump, max_jump)
+    totals, _, _ = cut(crossing, steps, max_jump, first_row, start)
+    rows, padded = crossing.shape
+    expected = np.full((rows + 1, padded), BLOCKED, np.int64)
+    expected[0] = crossing[first_row]
+    if start >= 0:
+        expected[0] = BLOCKED
+        expected[0, max_jump + start] = crossing[first_row, max_jump + start]
+    for y in range(1, rows + 1):
+        above = (first_row + y - 1) % rows
+        for x in range(max_jump, padded - max_jump):
+            reached = min(
+                expected[y - 1, j] + abs(int(steps[above, x]) - int(steps[above, j]))
+                for j in range(x - max_jump, x + max_jump + 1)
+            )
+            if y < rows:
+                reached = min(reached, BLOCKED) + int(crossing[(first_row + y) % rows, x])
+                reached = min(reached, BLOCKED)
+            expected[y, x] = reached
+    np.testing.assert_array_equal(totals, expected)
+
+
+@pytest.mark.parametrize("seed", range(30))
+def test_the_cut_closes_and_costs_what_it_says(seed):
+    max_jump = 1 + seed % 4
+    crossing, steps = random_tables(19, 23, max_jump, seed)
+    _, path, cost = cut(crossing, steps, max_jump)
+    assert cost == cost_of(path, crossing, steps, max_jump)
+
+
+@pytest.mark.parametrize("seed", range(30))
+def test_a_second_pass_is_between_the_first_and_the_optimum(seed):
+    max_jump = 2
+    crossing, steps = random_tables(19, 15, max_jump, seed)
+    _, path, first = cut(crossing, steps, max_jump)
+    _, again, second = cut(crossing, steps, max_jump, 9, int(path[9]))
+    optimum = min(cheapest_closed(crossing, steps, max_jump))
+    assert again[9] == path[9]
+    assert second == cost_of(again, crossing, steps, max_jump)
+    assert optimum <= second <= first
+
+
+def test_ties_go_to_the_left():
+    crossing, steps = random_tables(12, 20, 3, 0)
+    crossing[:, 3:23], steps[:] = 7, 0
+    _, path, cost = cut(crossing, steps, 3)
+    assert cost == 7 * 12
+    assert (path == 0).all()
+
+
+def test_blocked_cuts_are_told_by_their_cost():
+    crossing, steps = random_tables(12, 20, 2, 0)
+    crossing[5] = BLOCKED
+    _, _, cost = cut(crossing, steps, 2)
+    assert cost >= BLOCKED // 2
+
+
+@pytest.mark.parametrize("max_jump", [1, 4, 8, 11])
+@pytest.mark.parametrize("weighting", ["arc_length", "printed"])
+def test_at_the_limit_the_table_holds_what_python_computes(max_jump, weighting):
+    """All edges at the limit, all existing seams too, and a disc half blocked: from noise."""
+    polar = make_polar(24, 2.0, 1.5, weighting)
+    limit = cost_limit(polar, max_jump)
+    rows, columns = polar.inside.shape
+    rng = np.random.default_rng(max_jump)
+    paid = limit * polar.cut_weight.astype(np.int64) * 3 // 2 >> 14
+    hidden = (2 * limit * polar.area.astype(np.int64) >> 14).cumsum()
+    crossing = np.full((rows, columns + 2 * max_jump), BLOCKED, np.int32)
+    inner = slice(max_jump, max_jump + columns)
+    crossing[:, inner] = np.where(rng.random((rows, columns)) < 0.5, paid, paid - hidden)
+    crossing[rng.random(crossing.shape) < 0.02] = BLOCKED
+    steps = np.zeros_like(crossing)
+    steps[:, inner] = (limit * polar.step_weight.astype(np.int64) * 3 // 2 >> 14).cumsum()
+    steps[:, max_jump + columns :] = steps[:, [max_jump + columns - 1]]
+    totals, path, cost = cut(crossing, steps, max_jump)
+    exact = crossing[0].astype(np.int64)
+    for y in range(1, rows + 1):
+        reached = np.full(columns, 1 << 60)
+        for jump in range(-max_jump, max_jump + 1):
+            there = slice(max_jump + jump, max_jump + jump + columns)
+            step = abs(steps[y - 1, inner].astype(np.int64) - steps[y - 1, there])
+            reached = np.minimum(reached, exact[there] + step)
+        exact = np.full(columns + 2 * max_jump, BLOCKED, np.int64)
+        if y < rows:
+            reached = np.minimum(np.minimum(reached, BLOCKED) + crossing[y, inner], BLOCKED)
+        exact[inner] = reached
+        np.testing.assert_array_equal(totals[y], exact)
+    assert cost == cost_of(path, crossing, steps, max_jump)
