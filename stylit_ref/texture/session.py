@@ -20,7 +20,7 @@ from stylit_ref.texture.checks import (
 from stylit_ref.texture.exemplars import Exemplars, make_exemplars, packed_planes
 from stylit_ref.texture.formulae.deformation import power_table
 from stylit_ref.texture.formulae.guide_cost import fixed_guide_weight
-from stylit_ref.texture.formulae.polar import Polar, cost_limit, make_polar
+from stylit_ref.texture.formulae.polar import Polar, cost_limits, make_polar
 from stylit_ref.texture.formulae.seam_cost import ONE
 from stylit_ref.texture.params import TextureParams
 from stylit_ref.texture.passes.candidates import ring
@@ -229,6 +229,7 @@ class TextureSession:
         return random_stream(self.seed, purpose, vote=high, iteration=low)
 
     def _settings(self, radius, shift, params, fitted):
+        limits = cost_limits(fitted.polar, params.max_jump)
         return Settings(
             stride=self.exemplars.stride,
             plane=self.exemplars.plane,
@@ -237,7 +238,9 @@ class TextureSession:
             max_shift=shift,
             eta=params.eta,
             exponent=params.exponent,
-            limit=cost_limit(fitted.polar, params.max_jump),
+            new_limit=limits.new,
+            existing_limit=limits.existing,
+            hidden_limit=limits.hidden,
             penalty=params.shift_penalty,
             fractions=int(self.exemplars.fractions and not params.whole_pixels),
             predicate=PREDICATES.index(params.predicate),

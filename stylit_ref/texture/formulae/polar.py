@@ -156,27 +156,59 @@ def make_polar(radius: int, radial_samples: float, angular_samples: float, weigh
     )
 
 
-def cost_limit(polar: Polar, max_jump: int) -> int:
-    """The largest cost of an edge with which no cut can overflow 32-bit integers.
+class CostLimits(NamedTuple):
+    """How large costs may be in the tables of a patch, so that no cut overflows 32 bits.
 
-    Larger costs are cut off at it while a cut is looked for; what decides on a patch in the end is
-    computed without a limit. A cut pays in every row at most one crossing and ``max_jump`` steps,
-    and saves at most what the whole disc holds. Half of what a state can hold is for either, so
-    that a cut through a blocked state never looks cheaper than one without.
+    What decides on a patch in the end is computed without limits.
+
+    Attributes
+    ----------
+    new : int
+        Of one edge that a cut crosses; larger ones are cut off.
+    existing : int
+        Of the two edges of a pixel that a patch hides; larger ones are cut off.
+    hidden : int
+        Of all that a patch can hide. Where there is more, as in white noise, all costs are halved
+        until there is not (:func:`halvings`).
+    """
+
+    new: int
+    existing: int
+    hidden: int
+
+
+def cost_limits(polar: Polar, max_jump: int) -> CostLimits:
+    """The limits for patches of one size.
+
+    A cut pays in every row at most one crossing and ``max_jump`` steps, and saves at most what the
+    whole disc holds. Half of what a state can hold is for either, so that a cut through a blocked
+    state never looks cheaper than one without.
     """
     rows, one = polar.cut_x.shape[0], 1 << WEIGHT_BITS
     largest_cut, largest_step = int(polar.cut_weight.max()), int(polar.step_weight.max())
     paid = 1.5 * rows * (largest_cut + max_jump * largest_step) / one
-    saved = 2 * rows * int(polar.area.sum()) / one
     across = 1.5 * int(polar.step_weight.sum()) / one
-    largest_total = BLOCKED // 2 - rows * (max_jump + polar.area.size + 2)  # what rounding adds
-    limits = (
-        largest_total / max(paid, saved),
+    rounding = rows * (max_jump + polar.area.size + 2)
+    new = (
+        (BLOCKED // 2 - rounding) / paid,
         (1 << 28) / across,
         ((1 << 31) - 1) / (1.5 * max(largest_cut, largest_step, one)),
-        ((1 << 31) - 1) / (2 * int(polar.area.max()) + 1),
+        LARGEST_LIMIT,
     )
-    return int(min(*limits, LARGEST_LIMIT))
+    existing = (1 << 31) / (int(polar.area.max()) + 1)
+    areas = np.broadcast_to(polar.area, polar.inside.shape)
+    a_pixel = np.bincount(polar.inside.ravel(), areas.ravel()).max() / one
+    hidden = (BLOCKED // 2 - rounding) / a_pixel
+    return CostLimits(int(min(new)), int(existing) - 1, int(hidden))
+
+
+@inlined
+def halvings(total: int, most: int) -> int:
+    """How often a total is halved until it is at most ``most``."""
+    count = 0
+    while total >> count > most:
+        count += 1
+    return count
 
 
 def _nearest(values):

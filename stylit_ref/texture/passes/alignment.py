@@ -21,6 +21,7 @@ def alignment_costs(
     polar: Polar,
     path: NDArray[np.int32],
     context: Context,
+    halved: int,
     line: NDArray[np.int32],
     costs: NDArray[np.int32],
     steps: NDArray[np.int32],
@@ -41,6 +42,8 @@ def alignment_costs(
     path : (H,) int32
         C.
     context : Context
+    halved : int
+        How often costs are halved.
     line : (5, H + 2 D_max) int32
         Room for the colours along the cut and of their neighbours.
     costs, steps : (H, 2 D_max + 3) int32
@@ -48,7 +51,7 @@ def alignment_costs(
         tables of a cut with a largest jump of 1.
     """
     stride, plane, fractions = settings.stride, settings.plane, settings.fractions
-    eta, exponent, limit = settings.eta, settings.exponent, settings.limit
+    eta, exponent, limit = settings.eta, settings.exponent, settings.new_limit
     rows, padded = costs.shape
     shifts = padded - 2
     most = shifts // 2
@@ -89,7 +92,7 @@ def alignment_costs(
         new, after_new = line[0, y : y + shifts], line[direction, y : y + shifts]
         row = costs[y, 1 : 1 + shifts]
         for k in range(shifts):
-            cost = seam_cost(new[k], after_new[k], old, before, eta, exponent)
+            cost = seam_cost(new[k], after_new[k], old, before, eta, exponent) >> halved
             cost = cost if cost < limit else limit
             row[k] = np.int32(np.int32(cost * weight) + np.int32(_HALF)) >> WEIGHT_BITS
         costs[y, 0] = BLOCKED

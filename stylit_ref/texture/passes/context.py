@@ -21,7 +21,7 @@ class Context(NamedTuple):
         E[a ± δ], the neighbour in the exemplar that lies towards the centre of the patch, in x and
         in y: there the new side of an edge will be.
     seams : (n * n,) int32
-        What the two edges of a place cost now, each cut off at the limit.
+        What the two edges of a place cost now.
     locked : (n * n,) uint8
         Whether a pixel keeps what it shows.
     """
@@ -41,7 +41,6 @@ def read_context(
     y: int,
     x: int,
     half_width: NDArray[np.int32],
-    limit: int,
     context: Context,
 ) -> tuple[int, int]:
     """Fill a context around the pixel (y, x) of S.
@@ -49,7 +48,7 @@ def read_context(
     Returns
     -------
     total, free : int
-        What its seams cost, without a limit, and how many of its pixels are not locked.
+        What its seams cost, and how many of its pixels are not locked.
     """
     addresses, seams_x, seams_y, lock = texture[:4]
     height, width = addresses.shape
@@ -69,7 +68,7 @@ def read_context(
             context.beside_x[place] = colours[a + 1] if i < 0 else colours[a - 1]
             context.beside_y[place] = colours[a + inward_y]
             cost_x, cost_y = seams_x[row, column], seams_y[row, column]
-            context.seams[place] = min(cost_x, limit) + min(cost_y, limit)
+            context.seams[place] = cost_x + cost_y
             context.locked[place] = lock[row, column]
             total += np.int64(cost_x) + cost_y
             free += not lock[row, column]

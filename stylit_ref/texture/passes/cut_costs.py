@@ -25,15 +25,22 @@ def _directed(cost_x, weight_x, cost_y, weight_y):
 
 
 @subroutine
-def existing_seams(seams: NDArray[np.int32], polar: Polar, saved: NDArray[np.int32]) -> None:
-    """ℰ: the (H, W) int32 costs of all seams that a cut after column x would hide in row y."""
+def existing_seams(
+    seams: NDArray[np.int32], polar: Polar, halved: int, limit: int, saved: NDArray[np.int32]
+) -> None:
+    """ℰ: the (H, W) int32 costs of all seams that a cut after column x would hide in row y.
+
+    Costs are halved ``halved`` times, then cut off at the limit.
+    """
     rows, columns = saved.shape
     area = polar.area
     for y in range(rows):
         places, row = polar.inside[y], saved[y]
         total = np.int32(0)
         for x in range(columns):
-            total = np.int32(total + _weighted(seams[places[x]], area[x]))
+            seam = seams[places[x]] >> halved
+            seam = seam if seam < limit else limit
+            total = np.int32(total + _weighted(seam, area[x]))
             row[x] = total
 
 

@@ -17,8 +17,11 @@ class Settings(NamedTuple):
         From a pixel of the exemplars to the one below; from one fraction of a pixel to the next.
     radius, max_jump, max_shift : int
         R, J_max, D_max.
-    eta, exponent, limit : int
-        η and d of M; the largest cost of an edge while a cut is looked for.
+    eta, exponent : int
+        η and d of M.
+    new_limit, existing_limit, hidden_limit : int
+        How large costs may be while a cut is looked for
+        (:class:`stylit_ref.texture.formulae.polar.CostLimits`).
     penalty : int
         What a change of the shift from one row to the next costs.
     fractions : int
@@ -39,7 +42,9 @@ class Settings(NamedTuple):
     max_shift: int
     eta: int
     exponent: int
-    limit: int
+    new_limit: int
+    existing_limit: int
+    hidden_limit: int
     penalty: int
     fractions: int
     predicate: int

@@ -80,7 +80,7 @@ def hidden_beside_locked(
                 elif locked[place + side]:
                     b = addresses[below, column]
                     saved -= edge_cost(colours, new, b, stride, eta, exponent)
-            hidden[place] = max(min(saved, 2 * settings.limit), -2 * settings.limit)
+            hidden[place] = saved
 
 
 @subroutine
@@ -116,4 +116,13 @@ def hidden_by_guide(
                 + guide_cost(guide_colours[addresses[row, column]], wanted, weight)
                 - guide_cost(guide_colours[new], wanted, weight)
             )
-            hidden[place] = max(min(saved, 2 * settings.limit), -2 * settings.limit)
+            hidden[place] = saved
+
+
+@subroutine
+def magnitude(hidden: NDArray[np.int32]) -> int:
+    """The sum of all absolute values; places outside the disc are 0."""
+    total = np.int64(0)
+    for place in range(hidden.size):
+        total += abs(np.int64(hidden[place]))
+    return total

@@ -9,8 +9,8 @@ from stylit_ref.texture.passes.context import Context
 
 
 @inlined
-def _limited_cost(here, after_here, there, before_there, eta, exponent, limit):
-    cost = seam_cost(here, after_here, there, before_there, eta, exponent)
+def _limited_cost(here, after_here, there, before_there, eta, exponent, halved, limit):
+    cost = seam_cost(here, after_here, there, before_there, eta, exponent) >> halved
     return cost if cost < limit else limit
 
 
@@ -23,6 +23,7 @@ def new_seams(
     context: Context,
     eta: int,
     exponent: int,
+    halved: int,
     limit: int,
     new_x: NDArray[np.uint16],
     new_y: NDArray[np.uint16],
@@ -30,7 +31,8 @@ def new_seams(
     """Fill (n * n,) uint16 arrays with the costs of all edges of a window.
 
     ``source`` is o_e, the address of the patch's centre. Of an edge's two pixels, the one nearer to
-    the centre is taken to be in the patch.
+    the centre is taken to be in the patch. Costs are halved ``halved`` times, then cut off at the
+    limit.
     """
     side = half_width.size
     centre = side // 2
@@ -45,7 +47,7 @@ def new_seams(
         costs = new_x[middle - reach : middle]
         for i in range(reach):
             costs[i] = _limited_cost(
-                old[i], after_old[i], new[i], before_new[i], eta, exponent, limit
+                old[i], after_old[i], new[i], before_new[i], eta, exponent, halved, limit
             )
         new, after_new = colours[a : a + reach + 1], colours[a + 1 : a + reach + 2]
         old, before_old = (
@@ -55,7 +57,7 @@ def new_seams(
         costs = new_x[middle : middle + reach + 1]
         for i in range(reach + 1):
             costs[i] = _limited_cost(
-                new[i], after_new[i], old[i], before_old[i], eta, exponent, limit
+                new[i], after_new[i], old[i], before_old[i], eta, exponent, halved, limit
             )
         first, width = middle - reach, 2 * reach + 1
         costs = new_y[first : first + width]
@@ -65,7 +67,7 @@ def new_seams(
             old, after_old = here[first : first + width], beside_y[first : first + width]
             for i in range(width):
                 costs[i] = _limited_cost(
-                    old[i], after_old[i], new[i], before_new[i], eta, exponent, limit
+                    old[i], after_old[i], new[i], before_new[i], eta, exponent, halved, limit
                 )
         else:
             first += side
@@ -73,5 +75,5 @@ def new_seams(
             old, before_old = here[first : first + width], beside_y[first : first + width]
             for i in range(width):
                 costs[i] = _limited_cost(
-                    new[i], after_new[i], old[i], before_old[i], eta, exponent, limit
+                    new[i], after_new[i], old[i], before_old[i], eta, exponent, halved, limit
                 )

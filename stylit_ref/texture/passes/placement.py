@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 from stylit_ref.machine.inlined import subroutine
 from stylit_ref.machine.kernel import kernel
 from stylit_ref.randomness.philox import FourWords
-from stylit_ref.texture.formulae.polar import BLOCKED, MARGIN, Polar
+from stylit_ref.texture.formulae.polar import BLOCKED, MARGIN, Polar, halvings
 from stylit_ref.texture.passes.acceptance import cost_change, inner_cost, write_patch
 from stylit_ref.texture.passes.alignment import alignment_costs
 from stylit_ref.texture.passes.candidates import find_candidate
@@ -20,6 +20,7 @@ from stylit_ref.texture.passes.lock import (
     free_locked_edges,
     hidden_beside_locked,
     hidden_by_guide,
+    magnitude,
 )
 from stylit_ref.texture.passes.new_seams import new_seams
 
@@ -103,29 +104,26 @@ def fit_patch(
     ends, columns_now = work.ends[thread, 0], work.ends[thread, 1]
     path, other_path, shifts = paths[0], paths[1], paths[2]
     colours, half_width = sources.colours, polar.half_width
-    stride, limit = settings.stride, settings.limit
+    stride, existing_limit = settings.stride, settings.existing_limit
     eta, exponent, jump = settings.eta, settings.exponent, settings.max_jump
     depends_on_patch = settings.has_lock or settings.guide_weight
 
-    total, free = read_context(texture, colours, stride, y, x, half_width, limit, context)
+    total, free = read_context(texture, colours, stride, y, x, half_width, context)
     nothing_to_gain = total == 0 and not settings.guide_weight and settings.predicate
     if free == 0 or nothing_to_gain:
         return UNTRIED, np.int64(0)
+    halved = halvings(total, settings.hidden_limit)
     if not depends_on_patch:
-        existing_seams(context.seams, polar, saved)
+        existing_seams(context.seams, polar, halved, existing_limit, saved)
 
-    source, cost = np.int64(-1), np.int32(BLOCKED)
+    source, cost, best_halved = np.int64(-1), np.int64(0), halved
     hides, steps_cost = np.int64(0), np.int64(0)
     for attempt in range(settings.tries):
         candidate = find_candidate(
             texture, sources, settings, context, stream, cell, attempt * settings.prescreened, y, x
         )
-        new_seams(
-            colours, stride, candidate, half_width, context, eta, exponent, limit, new_x, new_y
-        )
         if depends_on_patch:
             if settings.has_lock:
-                free_locked_edges(half_width, context, new_x, new_y)
                 hidden_beside_locked(
                     texture, colours, settings, candidate, y, x, half_width, context, hidden
                 )
@@ -136,15 +134,33 @@ def fit_patch(
                     texture, sources.guide_colours, settings, candidate, y, x, half_width, context,
                     hidden,
                 )  # fmt: skip
-            existing_seams(hidden, polar, saved)
+            halved = halvings(magnitude(hidden), settings.hidden_limit)
+            existing_seams(hidden, polar, halved, existing_limit, saved)
+        new_seams(
+            colours,
+            stride,
+            candidate,
+            half_width,
+            context,
+            eta,
+            exponent,
+            halved,
+            settings.new_limit,
+            new_x,
+            new_y,
+        )
+        if settings.has_lock:
+            free_locked_edges(half_width, context, new_x, new_y)
         cut_costs(new_x, new_y, saved, polar, jump, row[2:], crossing, steps)
         if sources.clearance[candidate] <= settings.radius + MARGIN:
             end_rays(sources.clearance, stride, candidate, polar, jump, crossing)
-        found = find_cut(
-            polar, settings, crossing, steps, totals, less, more, other_path, ends, columns_now
+        found = np.int64(
+            find_cut(
+                polar, settings, crossing, steps, totals, less, more, other_path, ends, columns_now
+            )
         )
-        if found < cost:
-            cost, source = found, candidate
+        if found < BLOCKED // 2 and (source < 0 or found << halved < cost):
+            source, cost, best_halved = candidate, found << halved, halved
             path, other_path = other_path, path
             hides, steps_cost = np.int64(0), np.int64(0)
             for angle in range(path.size):
@@ -152,7 +168,7 @@ def fit_patch(
                 after = path[angle + 1 if angle + 1 < path.size else 0]
                 hides += saved[angle, column]
                 steps_cost += abs(steps[angle, jump + after] - steps[angle, jump + column])
-    if cost >= BLOCKED // 2:
+    if source < 0:
         return REJECTED, np.int64(0)
     if cost >= 0 and (settings.predicate == _BEFORE or settings.predicate == _EXACT):
         return REJECTED, np.int64(0)
@@ -161,8 +177,8 @@ def fit_patch(
     if settings.max_shift:
         shift_costs, shift_steps = work.shift_costs[thread], work.shift_steps[thread]
         alignment_costs(
-            colours, settings, source, polar, path, context, work.line[thread], shift_costs,
-            shift_steps,
+            colours, settings, source, polar, path, context, best_halved, work.line[thread],
+            shift_costs, shift_steps,
         )  # fmt: skip
         padded = shift_costs.shape[1]
         less, more = row[0, :padded], row[1, :padded]
@@ -190,7 +206,10 @@ def fit_patch(
             patch[:] = other_patch
     if settings.predicate == _AFTER:
         if outcome == DEFORMED:
-            improves = aligned + inner_cost(patch, half_width, colours, settings) - hides < 0
+            improves = (
+                aligned + (inner_cost(patch, half_width, colours, settings) >> best_halved) - hides
+                < 0
+            )
         else:
             improves = cost < 0
         if not improves:
