@@ -229,7 +229,7 @@ class TextureSession:
         return random_stream(self.seed, purpose, vote=high, iteration=low)
 
     def _settings(self, radius, shift, params, fitted):
-        limits = cost_limits(fitted.polar, params.max_jump)
+        limits = cost_limits(fitted.polar)
         return Settings(
             stride=self.exemplars.stride,
             plane=self.exemplars.plane,

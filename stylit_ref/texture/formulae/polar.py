@@ -22,14 +22,11 @@ from numpy.typing import NDArray
 
 from stylit_ref.machine.inlined import inlined
 
-WEIGHT_BITS = 14
+WEIGHT_BITS = 10
 """Weights and direction cosines are integers of this many fractional bits."""
 
 MARGIN = 2
 """Pixels around a patch that its window holds: the neighbours of its border, and theirs."""
-
-LARGEST_LIMIT = (1 << 16) - 1
-"""The costs of new seams are held in 16 bits."""
 
 BLOCKED = (1 << 30) - 1
 """The value of a state of the dynamic programming that no cut may pass."""
@@ -42,7 +39,7 @@ class Polar(NamedTuple):
 
     A window is the square of n = 2 (R + :data:`MARGIN`) + 1 pixels around a patch's centre, row by
     row; a place is an index into it. The edge x of a place lies between it and the pixel to its
-    right, the edge y between it and the pixel below. Weights are in units of 2**-14.
+    right, the edge y between it and the pixel below. Weights are in units of 2**-10.
 
     Attributes
     ----------
@@ -177,29 +174,22 @@ class CostLimits(NamedTuple):
     hidden: int
 
 
-def cost_limits(polar: Polar, max_jump: int) -> CostLimits:
+def cost_limits(polar: Polar) -> CostLimits:
     """The limits for patches of one size.
 
-    A cut pays in every row at most one crossing and ``max_jump`` steps, and saves at most what the
-    whole disc holds. Half of what a state can hold is for either, so that a cut through a blocked
-    state never looks cheaper than one without.
+    A state of the dynamic programming that would cost more than BLOCKED counts as blocked, so only
+    what is added in one row must fit. All that can be saved is less than half of BLOCKED: a cut
+    through a blocked state never looks cheaper than that.
     """
     rows, one = polar.cut_x.shape[0], 1 << WEIGHT_BITS
-    largest_cut, largest_step = int(polar.cut_weight.max()), int(polar.step_weight.max())
-    paid = 1.5 * rows * (largest_cut + max_jump * largest_step) / one
+    largest = max(int(polar.cut_weight.max()), int(polar.step_weight.max()), one)
     across = 1.5 * int(polar.step_weight.sum()) / one
-    rounding = rows * (max_jump + polar.area.size + 2)
-    new = (
-        (BLOCKED // 2 - rounding) / paid,
-        (1 << 28) / across,
-        ((1 << 31) - 1) / (1.5 * max(largest_cut, largest_step, one)),
-        LARGEST_LIMIT,
-    )
+    new = min((1 << 28) / across, ((1 << 31) - 1) / (1.5 * largest))
     existing = (1 << 31) / (int(polar.area.max()) + 1)
     areas = np.broadcast_to(polar.area, polar.inside.shape)
     a_pixel = np.bincount(polar.inside.ravel(), areas.ravel()).max() / one
-    hidden = (BLOCKED // 2 - rounding) / a_pixel
-    return CostLimits(int(min(new)), int(existing) - 1, int(hidden))
+    hidden = (BLOCKED // 2 - rows * (polar.area.size + 2)) / a_pixel
+    return CostLimits(int(new), int(existing) - 1, int(hidden))
 
 
 @inlined

@@ -46,8 +46,8 @@ def existing_seams(
 
 @subroutine
 def cut_costs(
-    new_x: NDArray[np.uint16],
-    new_y: NDArray[np.uint16],
+    new_x: NDArray[np.int32],
+    new_y: NDArray[np.int32],
     saved: NDArray[np.int32],
     polar: Polar,
     max_jump: int,
@@ -61,7 +61,7 @@ def cut_costs(
 
     Parameters
     ----------
-    new_x, new_y : (n * n,) uint16
+    new_x, new_y : (n * n,) int32
     saved : (H, W) int32
     polar : Polar
     max_jump : int

@@ -105,7 +105,7 @@ class Workspace(NamedTuple):
 
     context: NDArray[np.int32]
     locked: NDArray[np.uint8]
-    new_seams: NDArray[np.uint16]
+    new_seams: NDArray[np.int32]
     costs: NDArray[np.int32]
     saved: NDArray[np.int32]
     crossing: NDArray[np.int32]
@@ -133,7 +133,7 @@ def make_workspace(polar: Polar, max_jump: int, max_shift: int, threads: int) ->
     return Workspace(
         context=room(4, places),
         locked=np.zeros((threads, places), np.uint8),
-        new_seams=np.zeros((threads, 2, places), np.uint16),
+        new_seams=room(2, places),
         costs=room(2, places),
         saved=room(rows, columns),
         crossing=room(rows, padded),

@@ -21,8 +21,8 @@ from stylit_ref.texture.passes.layout import Settings, Texture
 def free_locked_edges(
     half_width: NDArray[np.int32],
     context: Context,
-    new_x: NDArray[np.uint16],
-    new_y: NDArray[np.uint16],
+    new_x: NDArray[np.int32],
+    new_y: NDArray[np.int32],
 ) -> None:
     """Let cuts cross edges between locked pixels for nothing."""
     side = half_width.size

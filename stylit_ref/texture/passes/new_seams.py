@@ -25,10 +25,10 @@ def new_seams(
     exponent: int,
     halved: int,
     limit: int,
-    new_x: NDArray[np.uint16],
-    new_y: NDArray[np.uint16],
+    new_x: NDArray[np.int32],
+    new_y: NDArray[np.int32],
 ) -> None:
-    """Fill (n * n,) uint16 arrays with the costs of all edges of a window.
+    """Fill (n * n,) int32 arrays with the costs of all edges of a window.
 
     ``source`` is o_e, the address of the patch's centre. Of an edge's two pixels, the one nearer to
     the centre is taken to be in the patch. Costs are halved ``halved`` times, then cut off at the
