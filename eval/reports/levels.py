@@ -26,7 +26,8 @@ from stylit_ref import InputError, Params
 
 DATA = "build/data/300x228,build/data/450x342,build/data/600x456,build/data/1200x912"
 SHOWN = "golem/oil", "golem/watercolour"
-"""Scenes with pictures; the first also with the effort of the thesis, and beside ebsynth."""
+"""Scenes with pictures. The first, its wall like the ground, also has the effort of the thesis and
+is shown beside ebsynth."""
 
 FEWER = 2
 """How many levels fewer than fit are tried."""
@@ -97,7 +98,7 @@ def levels_report(data, folder, names=None, ebsynth=None, seed=0):
                 guide = f"{name}, {guides}", truth.scene.shown_guide
                 sheet = [guide, ("truth", truth.picture)]
                 is_shown = name in SHOWN and "guided" not in how
-                deeper = is_shown and name == SHOWN[0]
+                deeper = is_shown and name == SHOWN[0] and "alike" in how
                 for effort, method in _methods(truth.scene, deeper, ebsynth):
                     found, image = _row(truth, method, seed)
                     rows.append({"scene": name, "guides": guides, "effort": effort, **found})
