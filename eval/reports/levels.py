@@ -42,7 +42,6 @@ NUMBERS = {
     "colours": Number("colours [dB]", "{:.2f}"),
     "PSNR": Number("PSNR [dB]", "{:.2f}"),
     "spilled": Number("spilled", "{:.2%}"),
-    "seconds": Number("time [s]", "{:.1f}"),
 }
 
 
@@ -198,7 +197,6 @@ def _row(truth, method, seed):
         "colours": smooth_psnr(result.image, truth.picture),
         "PSNR": psnr(result.image, truth.picture),
         "spilled": spilled,
-        "seconds": result.seconds,
     }
     return numbers, result.image
 
