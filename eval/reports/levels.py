@@ -23,6 +23,7 @@ from eval.runs.local import run
 from eval.similarity import SMOOTHED, psnr, smooth_psnr
 from eval.truth import load_truth
 from stylit_ref import InputError, Params
+from stylit_ref.stylization.checks import most_levels
 
 DATA = "build/data/300x228,build/data/450x342,build/data/600x456,build/data/1200x912"
 SHOWN = "golem/oil", "golem/watercolour"
@@ -171,7 +172,8 @@ def _scenes(data):
 
 def _methods(scene, deeper, ebsynth):
     """Efforts and methods to run on a scene: ``fast`` alone, or all."""
-    most = _most_levels(scene)
+    sizes = scene.style.shape[:2], scene.target_guides[0].shape[:2]
+    most = most_levels(Params().patch_width, *sizes)
     numbers = range(max(most - FEWER, 1), most + 1)
     fast = [("fast", replace(Params.preset("fast"), levels=number)) for number in numbers]
     thesis = [("thesis", Params(levels=number)) for number in numbers if deeper]
@@ -179,12 +181,6 @@ def _methods(scene, deeper, ebsynth):
     if deeper and ebsynth:
         methods.append(("ebsynth", Ebsynth(ebsynth)))
     return methods
-
-
-def _most_levels(scene):
-    """As many as the coarsest still holds a patch."""
-    shortest = min(*scene.style.shape[:2], *scene.target_guides[0].shape[:2])
-    return (shortest // Params().patch_width).bit_length()
 
 
 def _row(truth, method, seed):
