@@ -13,7 +13,7 @@ ARGS ?=
 WORKERS ?= 2
 PYTHONS ?= 3.11 3.12 3.13 3.14
 
-.PHONY: eval reports schedules epsilon stylit spilling bench scenes test test-fast test-gpu ptx docs wheel lowest lint data help clean
+.PHONY: eval reports schedules epsilon stylit spilling levels bench scenes test test-fast test-gpu ptx docs wheel lowest lint data help clean
 
 eval: $(VENV)/$(if $(SCHEDULER),cluster,eval).installed ## make the report on the thesis: PRESET=quick or thesis, SCHEDULER=ADDRESS, ARGS="--scene DIR"; DOCUMENT=lasram: on texture synthesis
 	$(BIN)/python -m eval $(or $(DOCUMENT),dzurenko) $(if $(PRESET),--preset "$(PRESET)") $(if $(SCHEDULER),--scheduler "$(SCHEDULER)") $(ARGS)
@@ -31,6 +31,8 @@ epsilon: report-epsilon ## measure what guide maps change and save, at every ε
 stylit: report-stylit ## compare StyLit with the occurrence map
 
 spilling: report-spilling ## measure spilling without and with an ID guide: SCENE=TARGET/STYLE,...
+
+levels: report-levels ## measure how many pyramid levels serve at each size, after make data: DATA=DIR,...
 
 bench: report-bench ## measure time, memory and energy: EBSYNTH=PATH measures ebsynth too
 

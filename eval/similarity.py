@@ -2,6 +2,7 @@
 
 import flip_evaluator
 import numpy as np
+from skimage.filters import gaussian
 from skimage.metrics import peak_signal_noise_ratio, structural_similarity
 
 from eval.number import Number
@@ -15,6 +16,9 @@ NUMBERS = {
 DEFINITION = """\
 - **PSNR**, **SSIM** (mean over channels, 7x7 windows) and **FLIP** (mean; 0 alike, 1 as unlike as
   can be; 67 pixels a degree)"""
+
+SMOOTHED = 100
+"""Single strokes are smoothed away by a Gaussian of an image's width over this number."""
 
 
 def psnr(image, reference):
@@ -31,6 +35,21 @@ def psnr(image, reference):
     if (image == reference).all():
         return float("inf")
     return float(peak_signal_noise_ratio(reference, image, data_range=255))
+
+
+def smooth_psnr(image, reference):
+    """PSNR of the colours of larger places: both images are smoothed first.
+
+    Parameters
+    ----------
+    image, reference : (H, W, n) uint8
+
+    Returns
+    -------
+    float
+    """
+    width = image.shape[1] / SMOOTHED
+    return psnr(*(_smoothed(each, width) for each in (image, reference)))
 
 
 def ssim(image, reference):
@@ -64,6 +83,11 @@ def flip(image, reference):
     shown = (_in_unit_range(each) for each in (reference, image))
     _, mean, _ = flip_evaluator.evaluate(*shown, "LDR", applyMagma=False)
     return float(mean)
+
+
+def _smoothed(image, width):
+    smooth = gaussian(image, width, channel_axis=2, preserve_range=True)
+    return np.rint(smooth).astype(np.uint8)
 
 
 def _in_unit_range(image):

@@ -5,7 +5,7 @@ has its own. The kind of a field refuses other values, and turns NumPy's numbers
 Python's own numbers, so that equal values have the same ``repr``.
 """
 
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from numbers import Integral, Real
 from typing import Any, ClassVar
 
@@ -89,31 +89,50 @@ class Number:
 
 @dataclass(frozen=True)
 class Share:
-    """A number above 0 and up to 1, or the ``word`` if one is given."""
+    """A number above 0 and up to 1; ``remark`` ends the error message."""
 
-    word: str | None = None
-    placeholder: ClassVar[str] = "SHARE"
+    remark: str = ""
 
-    def check(self, name: str, value: Any) -> float | str:
-        """The value as a float, or the word."""
-        if self.word and isinstance(value, str) and value == self.word:
-            return value
+    def check(self, name: str, value: Any) -> float:
+        """The value as a float."""
         if not isinstance(value, Real) or not 0 < value <= 1:
-            otherwise = f"{self.word!r} or " if self.word else ""
             raise InputError(
-                f"is {shown(value)}; it must be {otherwise}a number above 0 and up to 1",
+                f"is {shown(value)}; it must be a number above 0 and up to 1{self.remark}",
                 parameter=name,
             )
         return float(value)
 
+    parse: ClassVar[type[float]] = float
+    described: ClassVar[str] = "a number"
+    placeholder: ClassVar[str] = "SHARE"
+
+
+@dataclass(frozen=True)
+class OrWord:
+    """A value of a kind, or a word."""
+
+    word: str
+    kind: Integer | Share
+
+    def check(self, name: str, value: Any) -> float | str:
+        """The value, or the word."""
+        if isinstance(value, str) and value == self.word:
+            return value
+        return replace(self.kind, remark=f", or {self.word!r}").check(name, value)
+
     def parse(self, text: str) -> float | str:
-        """The word, or a number."""
-        return text if text == self.word else float(text)
+        """The word, or a value."""
+        return text if text == self.word else self.kind.parse(text)
 
     @property
     def described(self) -> str:
         """What text must be."""
-        return f"{self.word} or a number" if self.word else "a number"
+        return f"{self.word} or {self.kind.described}"
+
+    @property
+    def placeholder(self) -> str:
+        """What stands for a value in a help text."""
+        return self.kind.placeholder
 
 
 @dataclass(frozen=True)

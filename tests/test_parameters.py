@@ -6,7 +6,16 @@ import numpy as np
 import pytest
 
 from stylit_ref import InputError
-from stylit_ref.parameters import Choice, Integer, Number, OneOrSeveral, Optional, Several, Share
+from stylit_ref.parameters import (
+    Choice,
+    Integer,
+    Number,
+    OneOrSeveral,
+    Optional,
+    OrWord,
+    Several,
+    Share,
+)
 
 ODD = Integer(3, 63, odd=True)
 
@@ -19,7 +28,7 @@ ODD = Integer(3, 63, odd=True)
         (Number(0, 1e12), Fraction(1, 2), 0.5),
         (Number(0, 1e12), np.float32(0.5), 0.5),
         (Share(), 1, 1.0),
-        (Share("hyperbola"), "hyperbola", "hyperbola"),
+        (OrWord("hyperbola", Share()), "hyperbola", "hyperbola"),
         (Choice(("ref", "stylit")), "stylit", "stylit"),
         (OneOrSeveral(Integer(1, 9)), 4, 4),
         (OneOrSeveral(Integer(1, 9)), np.array([1, 4]), (1, 4)),
@@ -44,7 +53,7 @@ def test_a_value_becomes_pythons_own(kind, value, made):
         (Number(0, 1e12), float("nan"), "name is nan; it must be a number from 0 to 1e.12"),
         (Number(0, 1e12), "1", "name is '1'; it must be a number"),
         (Share(), 0, "name is 0; it must be a number above 0 and up to 1"),
-        (Share("hyperbola"), "knee", "name is 'knee'; it must be 'hyperbola' or a number above 0"),
+        (OrWord("all", Integer(1, 16)), "most", "must be an integer from 1 to 16, or 'all'"),
         (Choice(("a", "b", "c")), "d", "name is 'd'; it must be 'a', 'b' or 'c'"),
         (OneOrSeveral(Integer(1, 9)), (1, 0), "name is 0; it must be an integer from 1 to 9"),
         (OneOrSeveral(Integer(1, 9)), (), r"name is \(\); it must be an integer"),
@@ -66,8 +75,8 @@ def test_what_does_not_fit_is_one_sentence(kind, value, sentence):
     [
         (ODD, "5", 5),
         (Number(0, 9), "1e3", 1000.0),  # its range is for check to judge
-        (Share("hyperbola"), "0.9", 0.9),
-        (Share("hyperbola"), "hyperbola", "hyperbola"),
+        (OrWord("hyperbola", Share()), "0.9", 0.9),
+        (OrWord("hyperbola", Share()), "hyperbola", "hyperbola"),
         (OneOrSeveral(Integer(1, 9)), "1,2,4", (1, 2, 4)),
         (OneOrSeveral(Integer(1, 9)), "6", 6),
         (Optional(Number(1, 9)), "5", 5.0),
@@ -79,7 +88,9 @@ def test_text_becomes_a_value(kind, text, value):
     assert kind.parse(text) == value
 
 
-@pytest.mark.parametrize("kind", [ODD, Share("word"), OneOrSeveral(ODD), Optional(Number(1, 9))])
+@pytest.mark.parametrize(
+    "kind", [ODD, OrWord("word", Share()), OneOrSeveral(ODD), Optional(Number(1, 9))]
+)
 def test_other_text_is_a_value_error(kind):
     with pytest.raises(ValueError, match="x"):
         kind.parse("x")

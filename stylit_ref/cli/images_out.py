@@ -19,7 +19,7 @@ from stylit_ref.files.field import Field
 from stylit_ref.files.nnf_file import check_nnf_writable, write_nnf
 from stylit_ref.files.write_image import check_image_writable, write_image
 from stylit_ref.stylization.mask import filled_channels
-from stylit_ref.stylization.params import Params
+from stylit_ref.stylization.params import MOST_LEVELS, Params
 from stylit_ref.stylization.replaying import replay
 from stylit_ref.stylization.stylize import Result
 
@@ -139,5 +139,5 @@ def _level_files(options, params):
     if not options.save_levels:
         return []
     names = (_LEVEL, _GUIDE_MAP) if params.traits.has_guide_map else (_LEVEL,)
-    numbers = range(1, params.levels + 1)
+    numbers = range(1, MOST_LEVELS + 1)
     return [Path(options.save_levels) / name.format(k) for name in names for k in numbers]

@@ -16,7 +16,7 @@ from stylit_ref.metric.lower_bound import BOUND_SCALE
 from stylit_ref.metric.packing import ONE, Packing, occurrence_weight
 from stylit_ref.notes import note
 from stylit_ref.stylization.exemplar import Exemplar
-from stylit_ref.stylization.params import Params
+from stylit_ref.stylization.params import ALL, MOST_LEVELS, Params
 from stylit_ref.stylization.target import Target
 
 
@@ -175,16 +175,24 @@ def fit_levels(
                 "a patch must fit into the image",
                 parameter="patch_width",
             )
+    most = most_levels(params.patch_width, source_size, target_size)
+    if params.levels == ALL or params.levels <= most:
+        return params
+    note(
+        f"is {params.levels}, but {most} are used: a coarser level would be smaller than a patch",
+        parameter="levels",
+    )
+    return replace(params, levels=most)
+
+
+def most_levels(
+    patch_width: int, source_size: tuple[int, int], target_size: tuple[int, int]
+) -> int:
+    """As many levels as the coarsest still holds a patch; sizes halve and are rounded down."""
     levels, shortest = 1, min(*source_size, *target_size)
-    while shortest >> levels >= params.patch_width and levels < params.levels:
+    while shortest >> levels >= patch_width and levels < MOST_LEVELS:
         levels += 1
-    if levels < params.levels:
-        note(
-            f"is {params.levels}, but {levels} are used: a coarser level would be smaller than a "
-            "patch",
-            parameter="levels",
-        )
-    return replace(params, levels=levels)
+    return levels
 
 
 def check_halves(exemplar: Exemplar, target: Target, params: Params) -> None:

@@ -10,6 +10,7 @@ from stylit_ref.parameters import (
     Number,
     OneOrSeveral,
     Optional,
+    OrWord,
     Several,
     Share,
     check_fields,
@@ -20,6 +21,11 @@ from stylit_ref.stylization.schedules import SCHEDULES
 
 LARGEST_WEIGHT = 1e12
 _WEIGHT = Number(0, LARGEST_WEIGHT)
+
+ALL = "all"
+"""Value of ``levels`` for as many as fit."""
+
+MOST_LEVELS = 16
 
 
 @dataclass(frozen=True)
@@ -34,9 +40,10 @@ class Params:
         (1.5, :mod:`stylit_ref.stylization.stylit`).
     patch_width : int
         w, odd, in pixels (4.1: 5). ``--patch-size`` on the command line.
-    levels : int
+    levels : int or "all"
         Levels of the pyramid (4.1: 6); fewer are used where the coarsest would be
-        smaller than a patch. ``--pyramid-levels`` on the command line.
+        smaller than a patch, and ``all`` is as many as that allows: 6 for an image of 300x228, 8
+        for 1200x912. ``--pyramid-levels`` on the command line.
     votes : int or tuple of int
         EM iterations a level: a vote, then PatchMatch (4.1: 6). A tuple names them from
         the finest level on; its last holds for all coarser ones. ``--search-vote-iters`` on
@@ -82,7 +89,12 @@ class Params:
         "; ".join(f"{method.name}, {method.text}" for method in METHODS.values()),
     )
     patch_width: int = parameter(5, Integer(3, 63, odd=True), "width of the patches in pixels, odd")
-    levels: int = parameter(6, Integer(1, 16), "levels of the image pyramid")
+    levels: int | Literal["all"] = parameter(
+        6,
+        OrWord(ALL, Integer(1, MOST_LEVELS)),
+        "levels of the image pyramid; all takes as many as fit, so that the coarsest shows the "
+        "picture as a whole",
+    )
     votes: int | tuple[int, ...] = parameter(
         6,
         OneOrSeveral(Integer(1, 65535)),
@@ -118,7 +130,7 @@ class Params:
     )
     budget: Literal["hyperbola"] | float = parameter(
         "hyperbola",
-        Share("hyperbola"),
+        OrWord("hyperbola", Share()),
         "with --method stylit: how much error is accepted; hyperbola finds it, or a share of all "
         "errors, as 0.9",
     )
@@ -153,7 +165,7 @@ class Params:
 
         Parameters
         ----------
-        name : {"thesis", "fast"}
+        name : {"final", "fast", "thesis"}
             One of :data:`PRESETS`.
 
         Raises
@@ -181,13 +193,16 @@ class Params:
 
 
 PRESETS: dict[str, dict[str, Any]] = {
-    "thesis": {},
+    "final": {"levels": ALL},
     "fast": {"levels": 7, "votes": (1, 4, 6), "patchmatch_iterations": 1},
+    "thesis": {},
 }
-"""Named effort: values of :class:`Params` for the work spent, from the thesis' to a preview's.
+"""Named effort: values of :class:`Params`, the command line's default first.
 
-Votes at coarse levels cost little and settle most of what the finest shows, so ``fast`` spends
-them there.
+``final``, for the finished picture, works as hard as the thesis, but begins at the coarsest level
+that holds a patch. There a patch shows where the ground ends and the wall begins, even if both are
+lit alike, so that less paint spills (``reports/levels``). ``fast`` is a preview. Votes at coarse
+levels cost little and settle most of what the finest shows, so it spends them there.
 """
 
 

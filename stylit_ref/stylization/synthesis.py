@@ -1,16 +1,17 @@
 """Texture optimization, coarse to fine, which a caller can drive step by step (thesis 2.3, 3.4)."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
 from stylit_ref.randomness.random_stream import RANDOM_NNF, random_stream
-from stylit_ref.stylization.checks import check_halves, check_nnf, check_seed
+from stylit_ref.stylization.checks import check_halves, check_nnf, check_seed, most_levels
 from stylit_ref.stylization.exemplar import Exemplar
 from stylit_ref.stylization.level import Level
-from stylit_ref.stylization.params import Params
+from stylit_ref.stylization.params import ALL, Params
 from stylit_ref.stylization.progress import Step
 from stylit_ref.stylization.schedules import SCHEDULES, Iterate
 from stylit_ref.stylization.target import Target
@@ -48,6 +49,8 @@ class Synthesis:
 
     Attributes
     ----------
+    params : Params
+        Its ``levels`` is a number.
     level : Level or None
         The level that was begun last.
     level_number, vote_number : int
@@ -76,6 +79,9 @@ class Synthesis:
         seed: int = 0,
         iterate: Iterate | None = None,
     ) -> None:
+        if params.levels == ALL:
+            most = most_levels(params.patch_width, exemplar.size, target.size)
+            params = replace(params, levels=most)
         check_halves(exemplar, target, params)
         check_seed(seed)
         self.exemplar, self.target, self.params, self.seed = exemplar, target, params, seed

@@ -50,10 +50,18 @@ def test_presets_fill_in_what_is_not_said(scene, seen):
     folder = scene[0]
     command = ["run", "--style", f"{folder / 'style.png'}", "--output", f"{folder / 'out.png'}"]
     command += ["--guide", f"{folder / 'source_0.png'}", f"{folder / 'target_0.png'}"]
-    for more in ([], ["--preset", "fast"], ["--preset", "fast", "--search-vote-iters", "3,9"]):
+    for more in (
+        [],
+        ["--preset", "thesis"],
+        ["--preset", "thesis", "--pyramid-levels", "all"],
+        ["--preset", "fast"],
+        ["--preset", "fast", "--search-vote-iters", "3,9"],
+    ):
         assert main([*command, *more]) == 2
     assert seen == [
+        Params(**PRESETS["final"], guide_weights=(1.0,)),
         Params(guide_weights=(1.0,)),
+        Params(levels="all", guide_weights=(1.0,)),
         Params(**PRESETS["fast"], guide_weights=(1.0,)),
         Params(**(PRESETS["fast"] | {"votes": (3, 9)}), guide_weights=(1.0,)),
     ]
@@ -69,7 +77,14 @@ def test_presets_fill_in_what_is_not_said(scene, seen):
         ),
         (["--method", "guide_map", "--budget", 0.5], "--budget is for --method stylit"),
         (["--method", "magic"], "--method is 'magic'; it must be"),
-        (["--method", "stylit", "--budget", 0], "--budget is 0.0; it must be 'hyperbola' or"),
+        (
+            ["--method", "stylit", "--budget", 0],
+            "--budget is 0.0; it must be a number above 0 and up to 1, or 'hyperbola'",
+        ),
+        (
+            ["--pyramid-levels", 17],
+            "--pyramid-levels is 17; it must be an integer from 1 to 16, or 'all'",
+        ),
         (["--method", "stylit", "--error-limit", 0.5], "--error-limit is 0.5"),
         (["--patch-size", 6], "--patch-size is 6; it must be an odd"),
         (["--seed", -1], "--seed is -1"),
@@ -104,11 +119,26 @@ def test_votes_that_are_no_counts(capsys, votes, message):
     assert "\n" not in said
 
 
-def test_a_budget_that_is_no_number(capsys):
+@pytest.mark.parametrize(
+    ("flag", "message"),
+    [
+        ("--budget", "--budget: is 'much'; it must be hyperbola or a number"),
+        ("--pyramid-levels", "--pyramid-levels: is 'much'; it must be all or an integer"),
+    ],
+)
+def test_a_word_that_is_not_the_one_beside_numbers(capsys, flag, message):
     with pytest.raises(SystemExit) as stop:
-        main(["run", "--style", "s", "--guide", "a", "b", "--output", "o", "--budget", "all"])
+        main(["run", "--style", "s", "--guide", "a", "b", "--output", "o", flag, "much"])
     assert stop.value.code == 2
-    assert "--budget: is 'all'; it must be hyperbola or a number" in capsys.readouterr().err
+    assert message in capsys.readouterr().err
+
+
+def test_the_help_names_the_default_of_the_default_preset(capsys):
+    with pytest.raises(SystemExit):
+        main(["run", "--help"])
+    said = " ".join(capsys.readouterr().out.split())
+    assert "(levels in Python, default all)" in said
+    assert "(votes in Python, default 6)" in said
 
 
 @pytest.mark.usefixtures("nothing_written")
@@ -148,7 +178,7 @@ def test_a_method_with_parameters_of_its_own(monkeypatch, capsys):
     assert main([*call, "--preset", "quick", "--grid", "12"]) == 2
     assert capsys.readouterr().err.splitlines() == [
         "stylit-ref: --uniformity is for --method ref, guide_map; the method is sparse",
-        "stylit-ref: --preset is thesis, which is not for method sparse",
+        "stylit-ref: --preset is final, which is not for method sparse",
         "stylit-ref: --grid is for --method sparse; the method is ref",
         "stylit-ref: --grid is 12; it must be an integer from 1 to 9",
     ]

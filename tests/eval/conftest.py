@@ -4,9 +4,13 @@ import numpy as np
 import pytest
 from small_scene import small_scene
 
+from data_gen.guides import LIGHT_PASSES, guide, to_uint8
 from data_gen.manifest import Manifest
+from data_gen.multilayer_exr import read_layers, write_layers
+from data_gen.styles import STYLES, subject
 from eval.scenes import BUNDLED
 from stylit_ref import read_uint8, write_image
+from stylit_ref.files.bit_depth import to_linear
 
 
 @pytest.fixture
@@ -35,4 +39,31 @@ def data(tmp_path, monkeypatch):
             (data / file).parent.mkdir(parents=True, exist_ok=True)
             write_image(data / file, np.ascontiguousarray(image))
         manifest.add(piece)
+    return data
+
+
+@pytest.fixture
+def layers(tmp_path, monkeypatch):
+    """A data set of a target and a style with layers, a sixth as wide as the bundled one."""
+    monkeypatch.chdir(tmp_path)
+    data = tmp_path / "layers"
+    manifest = Manifest.open(data)
+    manifest.restart(Manifest.read(BUNDLED).recipe)
+    for place in ("source", "teapot"):
+        (data / place).mkdir()
+        images = {
+            name: read_uint8(BUNDLED / f"{place}/{name}.png")[::6, ::6]
+            for name in (*LIGHT_PASSES, "IDMASK", "NORMAL")
+        }
+        found = {name: to_linear(images[name]) for name in LIGHT_PASSES}
+        found["IDMASK"] = np.float32(images["IDMASK"] / 255)
+        found["NORMAL"] = np.float32(images["NORMAL"] / 127.5 - 1)
+        write_layers(data / place / "passes.exr", found)
+        found = read_layers(data / place / "passes.exr")
+        for name, layer in found.items():
+            write_image(data / place / f"{name}.png", guide(name, layer))
+        if place == "source":
+            (data / "source/styles").mkdir()
+            write_image(data / "source/styles/oil.png", to_uint8(STYLES["oil"](subject(found))))
+        manifest.add(place)
     return data

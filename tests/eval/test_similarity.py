@@ -6,7 +6,7 @@ from skimage.filters import gaussian
 from small_scene import small_scene
 
 from eval.scenes import Scene
-from eval.similarity import flip, psnr, ssim
+from eval.similarity import flip, psnr, smooth_psnr, ssim
 
 
 def scene(**sizes):
@@ -35,3 +35,12 @@ def test_flip_is_none_for_the_same_image_and_one_for_the_most_different():
     assert flip(image[:, :, :1] + np.uint8(90), image[:, :, :1]) == flip(
         image + np.uint8(90), image
     )
+
+
+def test_smoothed_images_differ_by_their_colours_and_not_by_their_strokes():
+    strokes = np.zeros((40, 300, 3), np.uint8)
+    strokes[:, ::2] = 100
+    others = np.roll(strokes, 1, axis=1)
+    assert psnr(strokes, others) < 10
+    assert smooth_psnr(strokes, others) > 30
+    assert smooth_psnr(strokes, strokes + np.uint8(20)) == pytest.approx(20 * np.log10(255 / 20))

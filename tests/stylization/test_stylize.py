@@ -8,6 +8,7 @@ import pytest
 from small_scene import small_scene
 
 from stylit_ref import PRESETS, Field, InputError, Params, replay, stylize
+from stylit_ref.stylization.checks import most_levels
 
 QUICK = Params(levels=3, votes=2, patchmatch_iterations=2)
 
@@ -177,6 +178,22 @@ def test_too_many_levels_are_reduced_and_noted(caplog):
     assert caplog.record_tuples == [("stylit_ref", logging.INFO, said)]
 
 
+def test_all_levels_are_as_many_as_fit_and_no_note_is_due(caplog):
+    with caplog.at_level("INFO", "stylit_ref"):
+        result = stylize(*small_scene(), quick(levels="all"))
+    assert result.history[-1].levels == 3
+    assert_same(result, stylize(*small_scene(), quick(levels=3)))
+    assert caplog.record_tuples == []
+
+
+@pytest.mark.parametrize(
+    ("size", "levels"), [((5, 9), 1), ((10, 11), 2), ((228, 300), 6), ((912, 1200), 8)]
+)
+def test_the_coarsest_of_all_levels_is_the_smallest_that_holds_a_patch(size, levels):
+    assert most_levels(5, size, (2000, 3000)) == most_levels(5, (2000, 3000), size) == levels
+    assert min(size) >> (levels - 1) >= 5 > min(size) >> levels
+
+
 def test_guides_that_all_weigh_nothing_are_noted(caplog):
     stylize(*small_scene(), quick(guide_weights=(0, 0)))
     said = "guide_weights is 0 for every guide, so the guides guide nothing"
@@ -336,7 +353,7 @@ def bad_scene(**changes):
         ({"style": np.zeros((0, 46, 3), np.uint8)}, r"shape \(0, 46, 3\)"),
         ({"params": Params(guide_weights=(1.0,))}, "guide_weights holds 1 weights for 2 guides"),
         ({"params": "fast"}, r"params is 'fast'; write Params.preset\('fast'\)"),
-        ({"params": "slow"}, "preset is 'slow'; it must be 'thesis' or 'fast'"),
+        ({"params": "slow"}, "preset is 'slow'; it must be 'final', 'fast' or 'thesis'"),
         ({"params": PRESETS["fast"]}, r"params is a dict; write Params.preset\('fast'\)"),
         ({"params": {}}, r"params is a dict; write Params.preset\('thesis'\)"),
         ({"params": {"levels": 3}}, r"params is a dict; write Params\(\*\*params\)"),
@@ -420,7 +437,9 @@ def test_a_preset_by_name(name):
 
 @pytest.mark.parametrize("name", ["quick", "", None, 3])
 def test_a_preset_that_is_not_there(name):
-    with pytest.raises(InputError, match=f"preset is {name!r}; it must be 'thesis' or 'fast'"):
+    with pytest.raises(
+        InputError, match=f"preset is {name!r}; it must be 'final', 'fast' or 'thesis'"
+    ):
         Params.preset(name)
 
 

@@ -124,6 +124,13 @@ def test_a_run_may_be_run_again_and_levels_follow_each_other():
         synthesis.begin_level(3)
 
 
+def test_all_levels_are_a_number_once_the_halves_are_known():
+    made = make_synthesis(*small_scene(), PARAMS, seed=3)
+    synthesis = Synthesis(made.exemplar, made.target, replace(PARAMS, levels="all"), seed=3)
+    assert synthesis.params == PARAMS
+    same(synthesis.finish(), stylize(*small_scene(), PARAMS, seed=3))
+
+
 def test_halves_that_do_not_fit_are_refused():
     style, sources, targets = small_scene()
     exemplar = make_exemplar(style, sources, PARAMS)
