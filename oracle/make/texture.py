@@ -106,6 +106,7 @@ def _inputs():
     yield from _exemplars(rng)
     yield "seams", "steep", *_steep(rng)
     yield from _cuts(rng)
+    yield "closed_cut", "smallest", {"max_jump": 1, "second_pass": True}, _smallest()
     for number, (name, differences) in enumerate(PATCHES.items()):
         yield from _of_patch(name, Patch(number, **differences))
     for number, (name, differences) in enumerate(ITERATED.items()):
@@ -174,6 +175,22 @@ def _cuts(rng):
                 title = f"{name}_{1 + second_pass}"
                 chosen = {"max_jump": max_jump, "second_pass": second_pass}
                 yield "closed_cut", title, chosen, arrays
+
+
+def _smallest():
+    """Tables whose cheapest cut, column 0, the second pass does not reach."""
+    rng = np.random.default_rng(1)
+    while True:
+        crossing = rng.integers(-300, 600, (1, 9, 6), dtype=np.int32)
+        crossing[:, :, 0] = rng.integers(0, 60, 9)
+        arrays = {"crossing": crossing, "steps": np.full((1, 9, 6), 40, np.int32).cumsum(2)}
+        arrays["steps"] = arrays["steps"].astype(np.int32)
+        one = {"max_jump": 1, "second_pass": False}
+        start = answer("closed_cut", one, arrays)["paths"][:, 4]
+        half = {"max_jump": 1, "first_row": 4}
+        second = answer("cut", half, arrays | {"starts": np.ascontiguousarray(start)})
+        if start[0] > 0 and crossing[:, :, 0].sum() < second["costs"][0]:
+            return arrays
 
 
 def _of_patch(name, patch):

@@ -106,7 +106,7 @@ def _costs(_, parameters, arrays):
     texture, sources, polar, settings = scene
     y, x, source = (parameters[name] for name in ("y", "x", "source"))
     context, half_width = context_of(scene, y, x), polar.half_width
-    new_x, new_y = (np.zeros(half_width.size**2, np.int32) for _ in range(2))
+    new_x, new_y = (np.zeros(half_width.size**2, np.uint16) for _ in range(2))
     new_seams(
         sources.colours, settings.stride, source, half_width, context, settings.eta,
         settings.exponent, settings.limit, new_x, new_y,
@@ -166,6 +166,9 @@ def _closed_cut(passes, parameters, arrays):
             passes, crossing[open_ones], steps[open_ones], max_jump, half, starts
         )
         paths[open_ones], costs[open_ones] = better, cost
+        smallest = crossing[:, :, 0].sum(axis=1, dtype=np.int64)
+        least = open_ones & (smallest < costs)
+        paths[least], costs[least] = 0, smallest[least]
     return {"paths": paths, "costs": costs}
 
 

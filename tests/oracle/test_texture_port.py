@@ -100,6 +100,7 @@ MISTAKES = {
         "jump, 0, path[0])",
         "closed_cut",
     ),
+    "the smallest cut forgotten": ("if smallest < cost:", "if False:", "closed_cut"),
     "shifts the other way": ("there = (y + k) % rows", "there = (y - k) % rows", "alignment"),
     "quarters of x before those of y": (
         "4 * (qy % 4) + qx % 4",

@@ -18,7 +18,7 @@ from oracle.families import FAMILY_OF, NEWEST, folder_of, spec_of
 
 DIGESTS = {
     "v1": "a23247307f921b0d0b3a43e0ad296c2d1163fde9e89d5f05d04ea891f6a136f7",
-    "texture/v1": "ca3cdd1a6f8325387c304431ed7ff77f362ca53776369eb3bd9a9f2dbb682993",
+    "texture/v1": "b249afb214f5b512898f3bffca517b5a51d58671b31ceb8fc05e29d8773bc6ff",
 }
 """SHA-256 of the SHA256SUMS of every version: what is published never changes."""
 

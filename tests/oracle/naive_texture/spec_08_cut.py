@@ -50,6 +50,9 @@ def closed_cut(crossing, steps, jump, second_pass):
     if second_pass and cost < BLOCKED // 2:
         half = len(path) // 2
         _, path, cost = best_closed(crossing, steps, jump, half, path[half])
+        smallest = int(crossing[:, 0].sum())
+        if smallest < cost:
+            path, cost = np.zeros(len(path), int), smallest
     return path, cost
 
 
