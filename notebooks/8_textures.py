@@ -95,8 +95,8 @@ plt.show()
 # ## Round and closed: the polar table
 #
 # A patch is a disc of radius $R$. It shall be cut out along a closed line around its centre. In
-# polar coordinates a line around the centre is a path from top to bottom, one radius $C[y]$ for each
-# angle $y$, and that is a case for dynamic programming:
+# polar coordinates a line around the centre is a path from top to bottom, one radius $C[y]$ for
+# each angle $y$, and that is a case for dynamic programming:
 #
 # $$T[y, i] = \min_{|i - j| \le J} (T[y - 1, j] + V(j, i, y)) + H(i, y) - \mathcal{E}(i, y)$$
 #
@@ -228,10 +228,10 @@ assert (np.diff(runs["exact"]) <= 0).all()
 #
 # ## Aligning features
 #
-# A regular texture leaves a patch no good place to be cut: somewhere the lines do not meet. Section 5
-# lets the colours along the cut slide by up to $D_{max}$ samples until they meet what lies outside,
-# by the same dynamic programming, and spreads the slide inwards. We lay bricks without rejection,
-# once stiff and once soft.
+# A regular texture leaves a patch no good place to be cut: somewhere the lines do not meet. Section
+# 5 lets the colours along the cut slide by up to $D_{max}$ samples until they meet what lies
+# outside, by the same dynamic programming, and spreads the slide inwards. We lay bricks without
+# rejection, once stiff and once soft.
 
 # %%
 bricks = make_texture("bricks")
@@ -319,16 +319,16 @@ def seam_share(coordinates):
 y, x = np.mgrid[:8, :10]
 whole = np.stack([0 * y, 4 * y, 4 * x], axis=2)
 assert seam_share(whole) == 1 / 10  # where it wraps
-assert seam_share(whole[:, ::-1]) == 1 - 0 / 10
+assert seam_share(whole[:, ::-1]) == 1
 assert seam_share(textures["24 iterations, R = 64"].coordinates) < 0.2
 print(f"{seam_share(textures['24 iterations, R = 64'].coordinates):.1%} of the pixels")
 
 # %% [markdown]
 # ### A closed path by hand
 #
-# Write `cheapest_closed(table, jump)`: the least sum of a path with one entry for each row, of which
-# neighbours differ by at most `jump` columns, the last and the first too. Take your time: the table
-# is small.
+# Write `cheapest_closed(table, jump)`: the least sum of a path with one entry for each row, of
+# which neighbours differ by at most `jump` columns, the last and the first too. Take your time: the
+# table is small.
 
 
 # %% tags=["hide-input"]
@@ -358,8 +358,8 @@ print("the cut of one pass costs", cost_of_one_pass / cheapest_closed(crossing[:
 # ### Does it tile?
 #
 # Write `border(image)`: the mean absolute step between the last and the first column and between
-# the last and the first row, over the mean absolute step between neighbours inside. Guess what it is
-# for the exemplar and for a texture.
+# the last and the first row, over the mean absolute step between neighbours inside. Guess what it
+# is for the exemplar and for a texture.
 
 
 # %% tags=["hide-input"]

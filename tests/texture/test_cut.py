@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from stylit_ref.texture.formulae.polar import BLOCKED, cost_limit, make_polar
+from stylit_ref.texture.formulae.polar import BLOCKED, WEIGHT_BITS, cost_limits, make_polar
 from stylit_ref.texture.passes.cut import accumulate, closed_path
 
 
@@ -125,19 +125,20 @@ def test_blocked_cuts_are_told_by_their_cost():
 @pytest.mark.parametrize("max_jump", [1, 4, 8, 11])
 @pytest.mark.parametrize("weighting", ["arc_length", "printed"])
 def test_at_the_limit_the_table_holds_what_python_computes(max_jump, weighting):
-    """All edges at the limit, all existing seams too, and a disc half blocked: from noise."""
+    """All edges at the limit, as much hidden as can be, and blocked states: from noise."""
     polar = make_polar(24, 2.0, 1.5, weighting)
-    limit = cost_limit(polar, max_jump)
+    limits = cost_limits(polar)
     rows, columns = polar.inside.shape
     rng = np.random.default_rng(max_jump)
-    paid = limit * polar.cut_weight.astype(np.int64) * 3 // 2 >> 14
-    hidden = (2 * limit * polar.area.astype(np.int64) >> 14).cumsum()
+    edge = limits.new * 3 // 2
+    paid = edge * polar.cut_weight.astype(np.int64) >> WEIGHT_BITS
+    hidden = (limits.hidden // rows // columns * np.arange(1, columns + 1)).astype(np.int64)
     crossing = np.full((rows, columns + 2 * max_jump), BLOCKED, np.int32)
     inner = slice(max_jump, max_jump + columns)
-    crossing[:, inner] = np.where(rng.random((rows, columns)) < 0.5, paid, paid - hidden)
+    crossing[:, inner] = np.where(rng.random((rows, columns)) < 0.5, paid, paid // 99 - hidden)
     crossing[rng.random(crossing.shape) < 0.02] = BLOCKED
     steps = np.zeros_like(crossing)
-    steps[:, inner] = (limit * polar.step_weight.astype(np.int64) * 3 // 2 >> 14).cumsum()
+    steps[:, inner] = (edge * polar.step_weight.astype(np.int64) >> WEIGHT_BITS).cumsum()
     steps[:, max_jump + columns :] = steps[:, [max_jump + columns - 1]]
     totals, path, cost = cut(crossing, steps, max_jump)
     exact = crossing[0].astype(np.int64)

@@ -5,11 +5,11 @@ import pytest
 
 from stylit_ref.texture.formulae.polar import (
     BLOCKED,
-    LARGEST_LIMIT,
     MARGIN,
     WEIGHT_BITS,
     WEIGHTINGS,
-    cost_limit,
+    cost_limits,
+    halvings,
     make_polar,
     polar_size,
 )
@@ -63,29 +63,39 @@ def test_edges_lie_where_the_cut_crosses_them():
 
 
 @pytest.mark.parametrize("radius", [1, 2, 16, 64, 128, 512])
-@pytest.mark.parametrize("max_jump", [1, 4, 64])
+@pytest.mark.parametrize("radial_samples", [0.25, 2.0, 8.0])
 @pytest.mark.parametrize("weighting", WEIGHTINGS)
-def test_no_cut_can_overflow(radius, max_jump, weighting):
-    """With all edges at the limit, in Python's integers."""
-    polar = make_polar(radius, 2.0, 1.5, weighting)
-    limit = cost_limit(polar, max_jump)
-    assert 1 <= limit <= LARGEST_LIMIT
+def test_no_table_can_overflow(radius, radial_samples, weighting):
+    """With all costs at their limits, in Python's integers."""
+    polar = make_polar(radius, radial_samples, 1.5, weighting)
+    limits = cost_limits(polar)
     rows, columns = polar.inside.shape
-    half = 1 << (WEIGHT_BITS - 1)
+    half, largest = 1 << (WEIGHT_BITS - 1), (1 << 31) - 1
 
     def weighted(value, weight):
         product = int(value) * int(weight) + half
-        assert product < 1 << 31
+        assert product <= largest
         return product >> WEIGHT_BITS
 
     direction = int(max((polar.cut_cosine + polar.cut_sine).max(), ONE))
-    edge = weighted(limit, direction)
+    edge = weighted(limits.new, direction)
     cut = max(weighted(edge, weight) for weight in polar.cut_weight)
-    steps = [weighted(edge, weight) for weight in polar.step_weight]
-    hidden = sum(weighted(2 * limit, weight) for weight in polar.area)
-    paid = rows * (cut + min(max_jump, columns) * max(steps))
-    assert paid < BLOCKED // 2
-    assert rows * hidden <= BLOCKED // 2 + 1
-    assert sum(steps) <= 1 << 28
-    assert 2 * BLOCKED + 1 < 1 << 31
-    assert BLOCKED + sum(steps) < 1 << 31
+    across = sum(weighted(edge, weight) for weight in polar.step_weight)
+    assert across <= 1 << 28
+    assert BLOCKED + across + cut <= largest
+    assert max(weighted(limits.existing, weight) for weight in polar.area) <= largest
+
+    # All that is hidden sits on the pixel that most samples fall on.
+    areas = np.broadcast_to(polar.area, polar.inside.shape)
+    share = np.bincount(polar.inside.ravel(), areas.ravel()).max() / ONE
+    assert limits.hidden * share + rows * columns / 2 < BLOCKED // 2
+    assert -(BLOCKED // 2) - BLOCKED - across >= -largest - 1
+
+
+@pytest.mark.parametrize(("total", "most", "count"), [(0, 5, 0), (5, 5, 0), (6, 5, 1), (24, 5, 3)])
+def test_a_total_is_halved_until_it_fits(total, most, count):
+    def plain(value):
+        return halvings.py_func(value, most)
+
+    assert plain(total) == count
+    assert total >> count <= most

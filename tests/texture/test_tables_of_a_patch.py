@@ -21,7 +21,7 @@ def test_a_window_holds_both_pixels_of_every_edge_that_is_read(radius):
     texture = Texture(
         10 * flat, flat, flat, np.zeros(flat.shape, np.uint8), np.zeros((1, 1), np.int32)
     )
-    read_context(texture, np.arange(30, dtype=np.int32), 5, 0, 0, polar.half_width, 99, context)
+    read_context(texture, np.arange(30, dtype=np.int32), 5, 0, 0, polar.half_width, context)
     for j in range(1, side - 1):
         reach, middle = polar.half_width[j], j * side + side // 2
         places = np.arange(middle - reach, middle + reach + 1)
