@@ -65,6 +65,12 @@ class Exemplars:
         return tuple(int(row) + self.border for row in np.cumsum(heights)[:-1])
 
     @cached_property
+    def bounds(self) -> NDArray[np.int64]:
+        """The first address of each image with its border, and the end of the plane."""
+        rows = np.asarray(self.first_rows) - self.border
+        return np.append(rows * self.stride, self.plane).astype(np.int64)
+
+    @cached_property
     def distance(self) -> NDArray[np.float32]:
         """How far each pixel of the plane is from the nearest that is not valid, in pixels."""
         return distance_transform_edt(self.valid).astype(np.float32)

@@ -1,5 +1,6 @@
 """Texture synthesis that a caller drives: any parameter may change between two iterations."""
 
+import logging
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -8,33 +9,30 @@ import numba
 import numpy as np
 from numpy.typing import NDArray
 
-from stylit_ref.randomness.philox import philox4x32, uniform_below
-from stylit_ref.randomness.random_stream import GRID, PATCHES, WHITE_NOISE, random_stream
+from stylit_ref.notes import note
+from stylit_ref.randomness.random_stream import GRID, PATCHES, random_stream
+from stylit_ref.texture.beginning import begin_with_noise
+from stylit_ref.texture.cells import cells_on, grid_cells
 from stylit_ref.texture.checks import (
     check_coordinates,
     check_guides,
+    check_labels,
     check_lock,
+    check_memory,
     check_seed,
     check_size,
 )
 from stylit_ref.texture.exemplars import Exemplars, make_exemplars, packed_planes
+from stylit_ref.texture.fitting import fit, make_settings
 from stylit_ref.texture.formulae.deformation import power_table
 from stylit_ref.texture.formulae.guide_cost import fixed_guide_weight
-from stylit_ref.texture.formulae.polar import MARGIN, Polar, cost_limit, make_polar
 from stylit_ref.texture.formulae.seam_cost import ONE
+from stylit_ref.texture.label_maps import with_free_borders
 from stylit_ref.texture.params import TextureParams
-from stylit_ref.texture.passes.candidates import ring
 from stylit_ref.texture.passes.guide_costs import guide_costs
-from stylit_ref.texture.passes.layout import Settings, Sources, Texture, make_workspace
-from stylit_ref.texture.passes.placement import (
-    ACCEPTED,
-    DEFORMED,
-    PREDICATES,
-    UNTRIED,
-    iterate,
-)
+from stylit_ref.texture.passes.layout import FREE_BELOW, FREE_RIGHT, Texture, make_workspace
+from stylit_ref.texture.passes.placement import ACCEPTED, DEFORMED, UNTRIED, iterate
 from stylit_ref.texture.passes.seam_maps import seam_maps
-from stylit_ref.texture.passes.white_noise import white_noise
 
 
 @dataclass(frozen=True)
@@ -81,6 +79,11 @@ class TextureSession:
         Coordinates to begin with, as :attr:`coordinates` gives them; white noise by default.
     lock : (height, width) bool, optional
         Pixels that keep what they have at the start.
+    labels : (height, width) uint8, optional
+        The number of the exemplar, from 1, that each pixel comes from; 0 for any. Within 4 pixels
+        of a border between two labels, a pixel may come from any.
+    wraps : bool
+        Whether the last row and column continue in the first; otherwise seams there cost nothing.
     source_guides : sequence of (H, W) or (H, W, c) uint8, optional
         A guide for every exemplar, as large as it, 1 or 3 channels.
     target_guide : (height, width) or (height, width, c) uint8, optional
@@ -115,12 +118,23 @@ class TextureSession:
         known: Sequence[NDArray[np.bool_] | None] | None = None,
         start: NDArray[np.int32] | None = None,
         lock: NDArray[np.bool_] | None = None,
+        labels: NDArray[np.uint8] | None = None,
+        wraps: bool = True,
         source_guides: Sequence[NDArray[np.uint8]] | None = None,
         target_guide: NDArray[np.uint8] | None = None,
     ) -> None:
         check_seed(seed)
         height, width = check_size(size)
+        check_memory((height, width))
         self.params = TextureParams() if params is None else params
+        largest = self._largest_radius(height, width)
+        if self.params.radius > largest:
+            note(
+                f"is {self.params.radius}, but {largest} is used: the texture has {width} x "
+                f"{height} pixels",
+                parameter="radius",
+                level=logging.WARNING,
+            )
         self.seed, self.iteration = seed, 0
         self._known = known
         self.exemplars = self._lay_out(exemplars, self.params)
@@ -128,18 +142,22 @@ class TextureSession:
             source_guides, target_guide, self.exemplars.images, (height, width)
         )
         self._fit = self._work = None
-        self._fitted(min(self.params.radius, self._largest_radius(height, width)), self.params)
+        self._fitted(min(self.params.radius, largest), self.params)
+        labels = check_labels(labels, self.exemplars.images, (height, width))
+        locked = check_lock(lock, (height, width))
+        self._free = np.flatnonzero(locked == 0) if locked.any() else None
+        if not wraps:
+            locked[:, -1] |= FREE_RIGHT
+            locked[-1] |= FREE_BELOW
+        self._has_lock = bool(locked.any() or labels.any())
         addresses = np.empty((height, width), np.int32)
         if start is None:
-            pixels = np.flatnonzero(self.exemplars.valid).astype(np.int32)
-            white_noise(addresses, pixels, random_stream(seed, WHITE_NOISE))
+            begin_with_noise(addresses, self.exemplars, labels, seed)
         else:
             start = check_coordinates(start, self.exemplars.images, (height, width))
             addresses[:] = self.exemplars.addresses(start)
-        locked = check_lock(lock, (height, width))
-        self._has_lock = bool(locked.any())
         seams = np.empty((2, height, width), np.int32)
-        self._texture = Texture(addresses, *seams, locked, guide)
+        self._texture = Texture(addresses, *seams, locked, with_free_borders(labels), guide)
         self._count()
 
     @property
@@ -157,6 +175,11 @@ class TextureSession:
     def coordinates(self) -> NDArray[np.int32]:
         """S: for every pixel the number of its exemplar, and y and x in quarters of a pixel."""
         return self.exemplars.coordinates(self._texture.addresses)
+
+    @property
+    def addresses(self) -> NDArray[np.int32]:
+        """S as the passes hold it (:class:`stylit_ref.texture.exemplars.Exemplars`)."""
+        return self._texture.addresses
 
     @property
     def seams(self) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
@@ -189,7 +212,10 @@ class TextureSession:
         radius = min(params.radius_at(self.iteration), self._largest_radius(height, width))
         fitted = self._fitted(radius, params)
         shift = min(params.deformation_at(self.iteration), fitted.polar.cosine.size // 4)
-        settings = self._settings(radius, shift, params, fitted)
+        settings = make_settings(
+            params, self.exemplars, fitted.polar, radius, shift, has_lock=self._has_lock,
+            has_labels=self._texture.labels.size > 1, guide_weight=self._guide_weight(),
+        )  # fmt: skip
         cells = self._cells(radius)
         number = len(cells)
         patches = np.empty((number, fitted.polar.radius_at.size), np.int32)
@@ -214,59 +240,20 @@ class TextureSession:
         )
 
     def _cells(self, radius):
-        """Centres of the cells; the grid's place is drawn anew in every iteration."""
-        height, width = self.size
-        down, across = max(1, height // (2 * radius)), max(1, width // (2 * radius))
         stream = self._stream(GRID)
-        words = philox4x32(0, 0, *stream)
-        first_y, first_x = uniform_below(words[0], height), uniform_below(words[1], width)
-        y = (first_y + np.arange(down) * height // down) % height
-        x = (first_x + np.arange(across) * width // across) % width
-        return np.stack(np.meshgrid(y, x, indexing="ij"), axis=-1).reshape(-1, 2).astype(np.int64)
+        if self._free is None:
+            return grid_cells(self.size, radius, stream)
+        return cells_on(self._free, self.size, radius, stream)
 
     def _stream(self, purpose):
         high, low = divmod(self.iteration, 1 << 16)
         return random_stream(self.seed, purpose, vote=high, iteration=low)
 
-    def _settings(self, radius, shift, params, fitted):
-        return Settings(
-            stride=self.exemplars.stride,
-            plane=self.exemplars.plane,
-            radius=radius,
-            max_jump=params.max_jump,
-            max_shift=shift,
-            eta=params.eta,
-            exponent=params.exponent,
-            limit=cost_limit(fitted.polar, params.max_jump),
-            penalty=params.shift_penalty,
-            fractions=int(self.exemplars.fractions and not params.whole_pixels),
-            predicate=PREDICATES.index(params.predicate),
-            second_pass=int(params.second_pass),
-            prescreened=params.candidates,
-            coherence=round(params.coherence * 65536),
-            tries=params.tries,
-            has_lock=int(self._has_lock),
-            guide_weight=self._guide_weight(),
-        )
-
     def _fitted(self, radius, params):
         """What depends on the radius; that of the last one is kept."""
         key = radius, params.radial_samples, params.angular_samples, params.weighting
         if self._fit is None or self._fit.key != key:
-            exemplars = self.exemplars
-            centres = exemplars.centres(radius)
-            is_centre = np.zeros(exemplars.plane, np.uint8)
-            is_centre[centres] = 1
-            sources = Sources(
-                colours=exemplars.colours,
-                guide_colours=self._guide_colours,
-                valid=exemplars.valid.ravel(),
-                is_centre=is_centre,
-                centres=centres,
-                inner=(exemplars.distance.ravel() > radius + MARGIN).astype(np.uint8),
-                ring=ring(radius),
-            )
-            self._fit = _Fitted(key, make_polar(*key), sources)
+            self._fit = fit(self.exemplars, self._guide_colours, key)
         return self._fit
 
     @cached_property
@@ -290,6 +277,8 @@ class TextureSession:
             texture.addresses, self.exemplars.colours, self.exemplars.stride,
             self.params.eta, self.params.exponent, texture.seams_x, texture.seams_y,
         )  # fmt: skip
+        texture.seams_x[texture.lock & FREE_RIGHT > 0] = 0
+        texture.seams_y[texture.lock & FREE_BELOW > 0] = 0
         self.cost = int(texture.seams_x.sum(dtype=np.int64) + texture.seams_y.sum(dtype=np.int64))
         if weight:
             costs = np.empty(self.size, np.int64)
@@ -318,15 +307,6 @@ class TextureSession:
         counted = "eta", "exponent", "guide_weight"
         if any(getattr(params, name) != getattr(before, name) for name in counted):
             self._count()
-
-
-@dataclass(frozen=True)
-class _Fitted:
-    """What depends on the radius of patches."""
-
-    key: tuple
-    polar: Polar
-    sources: Sources
 
 
 def _has_fractions(params):

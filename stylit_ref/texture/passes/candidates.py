@@ -34,6 +34,16 @@ def ring(radius: int) -> NDArray[np.int32]:
 
 
 @subroutine
+def exemplar_shown(texture: Texture, sources: Sources, settings: Settings, y: int, x: int) -> int:
+    """The number of the exemplar that the pixel (y, x) of S shows, from 0."""
+    address = np.int64(texture.addresses[y, x]) % settings.plane
+    exemplar = np.int64(0)
+    while sources.bounds[exemplar + 1] <= address:
+        exemplar += 1
+    return exemplar
+
+
+@subroutine
 def find_candidate(
     texture: Texture,
     sources: Sources,
@@ -42,28 +52,35 @@ def find_candidate(
     stream: FourWords,
     cell: int,
     first_draw: int,
+    exemplar: int,
     y: int,
     x: int,
 ) -> int:
     """The address of the centre of a patch in an exemplar, for the cell around the pixel (y, x).
 
-    ``cell`` and ``first_draw`` tell the draws of a stream apart. Of equally near candidates, the
-    first is taken.
+    Of ``exemplar`` alone, or of any if that is -1. ``cell`` and ``first_draw`` tell the draws of a
+    stream apart. Of equally near candidates, the first is taken.
     """
     addresses, colours, centres = texture.addresses, sources.colours, sources.centres
     stride, plane, radius = settings.stride, settings.plane, settings.radius
     height, width = addresses.shape
     side = 2 * (radius + MARGIN) + 1
+    first, count = np.int64(0), centres.size
+    least, beyond = np.int64(0), np.int64(plane)
+    if exemplar >= 0:
+        first = sources.centre_bounds[exemplar]
+        count = sources.centre_bounds[exemplar + 1] - first
+        least, beyond = sources.bounds[exemplar], sources.bounds[exemplar + 1]
     best, best_distance = np.int64(-1), np.int64(1) << 62
     for k in range(settings.prescreened):
         words = random_words(stream, cell, first_draw + k)
-        candidate = np.int64(centres[uniform_below(words[0], centres.size)])
+        candidate = np.int64(centres[first + uniform_below(words[0], count)])
         if (words[1] & 65535) < settings.coherence:
             to_y = uniform_below(words[2], 2 * radius + 1) - radius
             to_x = uniform_below(words[3], 2 * radius + 1) - radius
             there = np.int64(addresses[(y + to_y) % height, (x + to_x) % width]) % plane
             there -= to_y * stride + to_x
-            if 0 <= there < plane and sources.is_centre[there]:
+            if least <= there < beyond and sources.is_centre[there]:
                 candidate = there
         if settings.prescreened == 1:
             return candidate

@@ -7,6 +7,9 @@ from numpy.typing import NDArray
 
 from stylit_ref.texture.formulae.polar import Polar
 
+LOCKED, FREE_RIGHT, FREE_BELOW = 1, 2, 4
+"""Bits of a lock: the pixel stays; the edge to its right, or below it, costs nothing."""
+
 
 class Settings(NamedTuple):
     """The numbers that an iteration goes by, all integers.
@@ -28,8 +31,9 @@ class Settings(NamedTuple):
     second_pass : int
     prescreened, coherence, tries : int
         How candidates are found.
-    has_lock, guide_weight : int
-        Whether pixels are locked; the fixed-point weight of the guide, 0 without one.
+    has_lock, has_labels, guide_weight : int
+        Whether pixels are locked, or for one exemplar alone; the fixed-point weight of the guide, 0
+        without one.
     """
 
     stride: int
@@ -48,6 +52,7 @@ class Settings(NamedTuple):
     coherence: int
     tries: int
     has_lock: int
+    has_labels: int
     guide_weight: int
 
 
@@ -59,6 +64,9 @@ class Texture(NamedTuple):
     addresses : (H, W) int32
     seams_x, seams_y : (H, W) int32
     lock : (H, W) uint8
+        :data:`LOCKED`, :data:`FREE_RIGHT`, :data:`FREE_BELOW`.
+    labels : (H, W) uint8
+        The number of the exemplar, from 1, that alone a pixel may show; 0 for any; (1, 1) without.
     guide : (H, W) int32
         The guide that each pixel should have, packed as colours are; (1, 1) without one.
     """
@@ -67,6 +75,7 @@ class Texture(NamedTuple):
     seams_x: NDArray[np.int32]
     seams_y: NDArray[np.int32]
     lock: NDArray[np.uint8]
+    labels: NDArray[np.uint8]
     guide: NDArray[np.int32]
 
 
@@ -84,7 +93,9 @@ class Sources(NamedTuple):
     is_centre : (plane,) uint8
         Whether a patch may have its centre there.
     centres : (m,) int32
-        Those addresses.
+        Those addresses, exemplar by exemplar.
+    bounds, centre_bounds : (k + 1,) int64
+        Where the addresses of each exemplar begin, and its centres.
     inner : (plane,) uint8
         Whether a whole patch around it lies in the exemplar.
     ring : (64, 2) int32
@@ -96,6 +107,8 @@ class Sources(NamedTuple):
     valid: NDArray[np.uint8]
     is_centre: NDArray[np.uint8]
     centres: NDArray[np.int32]
+    bounds: NDArray[np.int64]
+    centre_bounds: NDArray[np.int64]
     inner: NDArray[np.uint8]
     ring: NDArray[np.int32]
 

@@ -14,7 +14,7 @@ from stylit_ref.machine.inlined import subroutine
 from stylit_ref.texture.formulae.guide_cost import guide_cost
 from stylit_ref.texture.formulae.seam_cost import seam_cost
 from stylit_ref.texture.passes.context import Context
-from stylit_ref.texture.passes.layout import Settings, Texture
+from stylit_ref.texture.passes.layout import FREE_BELOW, FREE_RIGHT, LOCKED, Settings, Texture
 
 
 @subroutine
@@ -24,16 +24,16 @@ def free_locked_edges(
     new_x: NDArray[np.int32],
     new_y: NDArray[np.int32],
 ) -> None:
-    """Let cuts cross edges between locked pixels for nothing."""
+    """Let cuts cross edges between locked pixels for nothing, and those that are free."""
     side = half_width.size
     locked = context.locked
     for j in range(1, side - 1):
         reach = half_width[j]
         middle = j * side + side // 2
         for place in range(middle - reach, middle + reach + 1):
-            if locked[place] and locked[place + 1]:
+            if locked[place] & locked[place + 1] & LOCKED or locked[place] & FREE_RIGHT:
                 new_x[place] = 0
-            if locked[place] and locked[place + side]:
+            if locked[place] & locked[place + side] & LOCKED or locked[place] & FREE_BELOW:
                 new_y[place] = 0
 
 
@@ -65,25 +65,25 @@ def hidden_beside_locked(
             column = (x + i - centre) % width
             new = source + (j - centre) * stride + i - centre
             saved = np.int64(0)
-            if not (locked[place] and locked[place + 1]):
+            if not (locked[place] & locked[place + 1] & LOCKED or locked[place] & FREE_RIGHT):
                 saved += seams_x[row, column]
-                if locked[place]:
+                if locked[place] & LOCKED:
                     saved -= seam_cost(
                         here[place], right[place], colours[new + 1], colours[new], eta, exponent
                     )
-                elif locked[place + 1]:
+                elif locked[place + 1] & LOCKED:
                     saved -= seam_cost(
                         colours[new], colours[new + 1], here[place + 1], left[place + 1],
                         eta, exponent,
                     )  # fmt: skip
-            if not (locked[place] and locked[place + side]):
+            if not (locked[place] & locked[place + side] & LOCKED or locked[place] & FREE_BELOW):
                 saved += seams_y[row, column]
-                if locked[place]:
+                if locked[place] & LOCKED:
                     saved -= seam_cost(
                         here[place], below[place], colours[new + stride], colours[new],
                         eta, exponent,
                     )  # fmt: skip
-                elif locked[place + side]:
+                elif locked[place + side] & LOCKED:
                     saved -= seam_cost(
                         colours[new], colours[new + stride], here[place + side],
                         above[place + side], eta, exponent,
@@ -114,7 +114,7 @@ def hidden_by_guide(
         reach = half_width[j]
         for i in range(centre - reach, centre + reach + 1):
             place = j * side + i
-            if context.locked[place]:
+            if context.locked[place] & LOCKED:
                 continue
             column = (x + i - centre) % width
             wanted = guide[row, column]
