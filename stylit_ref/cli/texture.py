@@ -26,11 +26,13 @@ from stylit_ref.files.read_image import read_mask
 from stylit_ref.files.texture_field import check_texture_field_writable, write_texture_field
 from stylit_ref.files.write_image import check_image_writable, write_image
 from stylit_ref.machine.interruption import put_off_interruptions
+from stylit_ref.machine.kernel import compile_missing
 from stylit_ref.texture.complete import complete_texture, make_tileable
 from stylit_ref.texture.params import TextureParams
 from stylit_ref.texture.replaying import replay_texture
 from stylit_ref.texture.session import Iteration
 from stylit_ref.texture.synthesize import Progress, TextureResult, synthesize_texture
+from stylit_ref.texture.warm_up import kernels_of_texture
 
 _USAGE = "%(prog)s --exemplar IMAGE --size WxH --output IMAGE [options]"
 
@@ -80,6 +82,8 @@ def run(options: argparse.Namespace) -> None:
             line.tell(iteration.number / params.iterations, _told(iteration, params, pixels))
             return interrupted()
 
+        if line.is_shown:
+            compile_missing(kernels_of_texture(params), line.compiling)
         result = made(progress)
     image = _picture(result, sources, deep)
     write_image(options.output, image, curve="srgb", profile=profile)
@@ -128,14 +132,9 @@ def _task(
             lambda progress: make_tileable(colours[0], band, params, progress=progress, **common),
             height * width,
         )
-    labels = read_labels(options.labels, options.exemplar) if options.labels else None
+    labels = _labels(options)
     guide = read_colours(options.guide_target) if options.guide_target else None
     size = options.size or (labels if labels is not None else guide).shape[:2]
-    if labels is not None and labels.shape != size:
-        raise InputError(
-            f"{options.labels}: has {labels.shape[1]} x {labels.shape[0]} pixels, and --size is "
-            f"{size[1]} x {size[0]}; leave --size out, or make them the same"
-        )
     guides = [read_colours(path) for path in options.guide_source] or None
     return (
         lambda progress: synthesize_texture(
@@ -144,6 +143,12 @@ def _task(
         ),
         size[0] * size[1],
     )  # fmt: skip
+
+
+def _labels(options) -> NDArray[np.uint8] | None:
+    if not options.labels:
+        return None
+    return read_labels(options.labels, options.exemplar, options.size)
 
 
 def _hole(options) -> NDArray[np.bool_]:

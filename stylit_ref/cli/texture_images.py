@@ -67,7 +67,9 @@ def read_colours(path: str) -> NDArray[np.uint8]:
     return _colours(path, read_picture(path))
 
 
-def read_labels(path: str, exemplars: Sequence[str]) -> NDArray[np.uint8]:
+def read_labels(
+    path: str, exemplars: Sequence[str], size: tuple[int, int] | None
+) -> NDArray[np.uint8]:
     """Read a map of labels: one colour for each exemplar, in the order of their values.
 
     Parameters
@@ -75,6 +77,8 @@ def read_labels(path: str, exemplars: Sequence[str]) -> NDArray[np.uint8]:
     path : str
     exemplars : sequence of str
         The exemplars' files.
+    size : tuple of int or None
+        Height and width that the map must have.
 
     Returns
     -------
@@ -84,9 +88,14 @@ def read_labels(path: str, exemplars: Sequence[str]) -> NDArray[np.uint8]:
     Raises
     ------
     InputError
-        If there are not as many colours as exemplars.
+        If it has another size, or not as many colours as there are exemplars.
     """
     shown = read_colours(path)
+    if size not in (None, shown.shape[:2]):
+        raise InputError(
+            f"{path}: has {shown.shape[1]} x {shown.shape[0]} pixels, and --size is {size[1]} x "
+            f"{size[0]}; leave --size out, or make them the same"
+        )
     packed = np.zeros(shown.shape[:2], np.int32)
     for channel in np.moveaxis(shown, -1, 0):
         packed = packed << 8 | channel

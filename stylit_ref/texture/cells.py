@@ -1,5 +1,7 @@
 """Where the patches of an iteration are placed: the centres of their cells (section 3)."""
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -34,18 +36,26 @@ def grid_cells(size: tuple[int, int], radius: int, stream: FourWords) -> NDArray
 
 
 def cells_on(
-    pixels: NDArray[np.int64], size: tuple[int, int], radius: int, stream: FourWords
+    pixels: NDArray[np.int64],
+    seams: Sequence[NDArray[np.int32]],
+    radius: int,
+    stream: FourWords,
 ) -> NDArray[np.int64]:
     """Centres (y, x) of cells on some pixels alone, drawn at random.
 
-    What is locked needs no patch: a grid over a small hole would mostly miss it. A pixel that is
-    drawn is left out if it lies closer than 2R to an earlier one, both in y and in x.
+    What is locked needs no patch: a grid over a small hole would mostly miss it. In half of the
+    iterations the pixels that are drawn are taken in the order of what their seams cost, after one
+    of the worst of all, so that no noise waits long for a patch. (If always, the same few places
+    would be tried again and again.) A pixel that lies closer than 2R to an earlier one, both in y
+    and in x, is left out.
 
     Parameters
     ----------
     pixels : (m,) int64
         Numbers of the pixels, ``y * width + x``; at least one.
-    size, radius, stream
+    seams : sequence of (H, W) int32
+        What the edges of every pixel cost.
+    radius, stream
         As of :func:`grid_cells`.
 
     Returns
@@ -53,13 +63,18 @@ def cells_on(
     (n, 2) int64
         At least one.
     """
-    width = size[1]
+    size = seams[0].shape
     down, across = _fitting(size, radius)
     words = [philox4x32(k, 1, *stream) for k in range(_DRAWS * down * across)]
     drawn = pixels[[uniform_below(word[0], pixels.size) for word in words]]
+    if words[0][1] & 1:
+        costs = _costs(seams, pixels)
+        worst = pixels[costs >= costs.max() / 2]
+        drawn = drawn[np.argsort(-_costs(seams, drawn), kind="stable")]
+        drawn[0] = worst[uniform_below(words[0][2], worst.size)]
     cells = np.empty((down * across, 2), np.int64)
     placed = 0
-    for cell in np.stack(np.divmod(drawn, width), axis=1):
+    for cell in np.stack(np.divmod(drawn, size[1]), axis=1):
         apart = np.abs(cells[:placed] - cell)
         apart = np.minimum(apart, np.array(size) - apart)
         if placed == 0 or (apart.max(axis=1) >= 2 * radius).all():
@@ -68,6 +83,10 @@ def cells_on(
             if placed == len(cells):
                 break
     return cells[:placed]
+
+
+def _costs(seams, pixels):
+    return sum(each.ravel()[pixels].astype(np.int64) for each in seams)
 
 
 def _fitting(size, radius):

@@ -1,6 +1,7 @@
 """Fill holes of an image, and make an image tile (section 8, "Texture completion")."""
 
 from collections.abc import Sequence
+from numbers import Integral
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,11 +11,22 @@ from stylit_ref.arrays import as_array
 from stylit_ref.errors import InputError, shown
 from stylit_ref.machine.thread_count import using_threads
 from stylit_ref.randomness.random_stream import WHITE_NOISE, random_stream
-from stylit_ref.texture.exemplars import with_channels
+from stylit_ref.texture.exemplars import make_exemplars, with_channels
 from stylit_ref.texture.params import TextureParams
 from stylit_ref.texture.passes.white_noise import white_noise
 from stylit_ref.texture.session import TextureSession
-from stylit_ref.texture.synthesize import Progress, TextureResult, finish
+from stylit_ref.texture.synthesize import Progress, TextureResult, finish, run
+
+VOID = np.zeros((6, 1, 3), np.uint8)
+VOID[:3], VOID[3:] = (255, 0, 255), (0, 255, 0)
+"""What holes begin with: of all seams, those between these colours cost most.
+
+The paper wants an infinite cost there, and has random coordinates for it. In a picture of little
+contrast some of them cost so little that no patch ever replaces them.
+"""
+
+_IN_VOID = 1, 4
+"""Rows of its colours whose neighbours have the same."""
 
 
 def complete_texture(
@@ -76,14 +88,30 @@ def complete_texture(
         raise InputError("covers the whole image; leave some pixels known", parameter="hole")
     # A seam beside the hole looks at the pixel that would follow there: the nearest known one.
     nearest = distance_transform_edt(hole, return_distances=False, return_indices=True)
-    known = np.zeros_like(hole) if others else ~hole
+    images = [picture[tuple(nearest)], *others]
+    known = [np.zeros_like(hole) if others else ~hole, *[None] * len(others)]
+    # In colour, since no grey is far from all greys.
+    coloured = [np.broadcast_to(each, (*each.shape[:2], 3)) for each in images]
     with using_threads(threads):
         session = TextureSession(
-            [picture[tuple(nearest)], *others], hole.shape, _params(params), seed=seed,
-            known=[known, *[None] * len(others)], start=_start(hole, known, others, seed),
+            [*coloured, VOID], hole.shape, _params(params), seed=seed,
+            known=[*known, np.zeros(VOID.shape[:2], np.bool_)],
+            start=_with_void(hole, len(images)),
             lock=None if unlocked else ~hole, wraps=wraps,
         )  # fmt: skip
-        return finish(session, np.ndim(image) == 2, progress)
+        history = tuple(run(session, progress))
+    coordinates = session.coordinates
+    void = coordinates[..., 0] == len(images)
+    coordinates[void] = _noise(images, known, hole.shape, seed)[void]
+    exemplars = make_exemplars(images, 1, fractions=session.exemplars.fractions)
+    addresses = exemplars.addresses(coordinates)
+    shown = exemplars.show(addresses)
+    return TextureResult(
+        image=shown[:, :, 0] if np.ndim(image) == 2 else shown,
+        exemplars=exemplars,
+        addresses=addresses,
+        history=history,
+    )
 
 
 def make_tileable(
@@ -122,7 +150,7 @@ def make_tileable(
     picture = with_channels(image, "the image")
     height, width = picture.shape[:2]
     most = (min(height, width) - 1) // 2
-    if not 1 <= band <= most:
+    if not isinstance(band, Integral) or not 1 <= band <= most:
         raise InputError(
             f"is {shown(band)}; for {width} x {height} pixels it must be an integer from 1 to "
             f"{most}",
@@ -148,14 +176,23 @@ def _identity(height, width):
     return np.stack([np.zeros_like(y), y, x], axis=-1)
 
 
-def _start(hole, known, exemplars, seed):
-    """The image itself, and in its holes white noise of what may be copied: costly seams."""
+def _with_void(hole, number):
+    """The image itself, and in its holes the two colours of exemplar ``number`` in turn."""
     start = _identity(*hole.shape)
-    sources = [start[known], *(_identity(*image.shape[:2]).reshape(-1, 3) for image in exemplars)]
-    for number, source in enumerate(sources):
-        source[:, 0] = number
-    sources = np.concatenate(sources)
-    chosen = np.empty(hole.shape, np.int32)
-    white_noise(chosen, np.arange(len(sources), dtype=np.int32), random_stream(seed, WHITE_NOISE))
-    start[hole] = sources[chosen[hole]]
+    start[hole, 0] = number
+    start[hole, 1] = np.where(np.indices(hole.shape).sum(axis=0)[hole] % 2, *_IN_VOID) * 4
+    start[hole, 2] = 0
     return start
+
+
+def _noise(images, known, size, seed):
+    """Coordinates drawn from all pixels that may be copied: what is left where no patch came."""
+    sources = []
+    for number, (image, mask) in enumerate(zip(images, known, strict=True)):
+        own = _identity(*image.shape[:2])
+        own[..., 0] = number
+        sources.append(own.reshape(-1, 3) if mask is None else own[mask])
+    sources = np.concatenate(sources)
+    chosen = np.empty(size, np.int32)
+    white_noise(chosen, np.arange(len(sources), dtype=np.int32), random_stream(seed, WHITE_NOISE))
+    return sources[chosen]

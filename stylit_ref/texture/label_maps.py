@@ -15,18 +15,38 @@ from stylit_ref.texture.passes.white_noise import white_noise
 FREE_BAND = 4
 """Within so many pixels of a border between labels, a pixel may come from any exemplar."""
 
+LARGEST_CHANGE = 0.02
+"""By how much the share of an exemplar may differ from what was asked for."""
+
 _LEVELS = 1 << 16
-_BLOBS = 16
+_BLOBS = 8
 """A map drawn for shares has about so many blobs along the shorter side, half of them a label's."""
 
 
-def with_free_borders(labels: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """Labels that are 0, for any exemplar, near the borders between them; the map wraps around."""
-    reach = np.arange(-FREE_BAND, FREE_BAND + 1)
-    disc = np.hypot(*np.meshgrid(reach, reach)) <= FREE_BAND
+def with_free_borders(labels: NDArray[np.uint8], band: int = FREE_BAND) -> NDArray[np.uint8]:
+    """Labels that are 0, for any exemplar, within ``band`` pixels of the borders between them.
+
+    The map wraps around.
+    """
+    reach = np.arange(-band, band + 1)
+    disc = np.hypot(*np.meshgrid(reach, reach)) <= band
     least = minimum_filter(labels, footprint=disc, mode="wrap")
     most = maximum_filter(labels, footprint=disc, mode="wrap")
     return np.where(least == most, labels, 0).astype(np.uint8)
+
+
+def band_for_shares(labels: NDArray[np.uint8]) -> int:
+    """The widest free band with which no share can change by more than :data:`LARGEST_CHANGE`.
+
+    A label can lose all of its free pixels to others, or get all of theirs.
+    """
+    for band in range(FREE_BAND, 0, -1):
+        free = np.bincount(labels[with_free_borders(labels, band) == 0])
+        if max(free.max(initial=0), free.sum() - free[1:].min(initial=0)) <= (
+            LARGEST_CHANGE * labels.size
+        ):
+            return band
+    return 0
 
 
 def labels_by_shares(

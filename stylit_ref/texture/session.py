@@ -27,7 +27,7 @@ from stylit_ref.texture.fitting import fit, make_settings
 from stylit_ref.texture.formulae.deformation import power_table
 from stylit_ref.texture.formulae.guide_cost import fixed_guide_weight
 from stylit_ref.texture.formulae.seam_cost import ONE
-from stylit_ref.texture.label_maps import with_free_borders
+from stylit_ref.texture.label_maps import FREE_BAND, with_free_borders
 from stylit_ref.texture.params import TextureParams
 from stylit_ref.texture.passes.guide_costs import guide_costs
 from stylit_ref.texture.passes.layout import FREE_BELOW, FREE_RIGHT, Texture, make_workspace
@@ -80,8 +80,9 @@ class TextureSession:
     lock : (height, width) bool, optional
         Pixels that keep what they have at the start.
     labels : (height, width) uint8, optional
-        The number of the exemplar, from 1, that each pixel comes from; 0 for any. Within 4 pixels
-        of a border between two labels, a pixel may come from any.
+        The number of the exemplar, from 1, that each pixel comes from; 0 for any.
+    free_band : int
+        Within so many pixels of a border between two labels, a pixel may come from any exemplar.
     wraps : bool
         Whether the last row and column continue in the first; otherwise seams there cost nothing.
     source_guides : sequence of (H, W) or (H, W, c) uint8, optional
@@ -119,6 +120,7 @@ class TextureSession:
         start: NDArray[np.int32] | None = None,
         lock: NDArray[np.bool_] | None = None,
         labels: NDArray[np.uint8] | None = None,
+        free_band: int = FREE_BAND,
         wraps: bool = True,
         source_guides: Sequence[NDArray[np.uint8]] | None = None,
         target_guide: NDArray[np.uint8] | None = None,
@@ -157,7 +159,8 @@ class TextureSession:
             start = check_coordinates(start, self.exemplars.images, (height, width))
             addresses[:] = self.exemplars.addresses(start)
         seams = np.empty((2, height, width), np.int32)
-        self._texture = Texture(addresses, *seams, locked, with_free_borders(labels), guide)
+        labels = with_free_borders(labels, free_band)
+        self._texture = Texture(addresses, *seams, locked, labels, guide)
         self._count()
 
     @property
@@ -243,7 +246,7 @@ class TextureSession:
         stream = self._stream(GRID)
         if self._free is None:
             return grid_cells(self.size, radius, stream)
-        return cells_on(self._free, self.size, radius, stream)
+        return cells_on(self._free, self.seams, radius, stream)
 
     def _stream(self, purpose):
         high, low = divmod(self.iteration, 1 << 16)

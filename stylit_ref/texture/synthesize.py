@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from stylit_ref.files.texture_field import TextureField
 from stylit_ref.machine.thread_count import using_threads
 from stylit_ref.texture.exemplars import Exemplars
-from stylit_ref.texture.label_maps import labels_by_shares
+from stylit_ref.texture.label_maps import FREE_BAND, band_for_shares, labels_by_shares
 from stylit_ref.texture.params import TextureParams
 from stylit_ref.texture.session import Iteration, TextureSession
 
@@ -84,8 +84,8 @@ def synthesize_texture(
         The number of the exemplar, from 1, that each pixel comes from; 0 for any. Within 4 pixels
         of a border between two labels, a pixel may come from any.
     shares : sequence of float, optional
-        How much of the texture each exemplar gets, in place of ``labels``: a map is drawn with
-        these shares, which are divided by their sum.
+        How much of the texture each exemplar gets, to 2 %, in place of ``labels``: a map is drawn
+        with these shares, which are divided by their sum.
     source_guides : sequence of (H, W) or (H, W, c) uint8, optional
         A guide for every exemplar, as large as it, 1 or 3 channels.
     target_guide : (height, width) or (height, width, c) uint8, optional
@@ -107,12 +107,14 @@ def synthesize_texture(
         If arrays or parameters do not fit together; the message names the sizes.
     """
     images = [exemplars] if isinstance(exemplars, np.ndarray) else list(exemplars)
+    free_band = FREE_BAND
     with using_threads(threads):
         if shares is not None:
             labels = labels_by_shares(shares, len(images), size, seed, labels)
+            free_band = band_for_shares(labels)
         session = TextureSession(
-            images, size, params, seed=seed, labels=labels, source_guides=source_guides,
-            target_guide=target_guide, start=start,
+            images, size, params, seed=seed, labels=labels, free_band=free_band,
+            source_guides=source_guides, target_guide=target_guide, start=start,
         )  # fmt: skip
         return finish(session, images[0].ndim == 2, progress)
 

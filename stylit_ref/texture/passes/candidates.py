@@ -9,10 +9,14 @@ from stylit_ref.randomness.random_stream import random_words
 from stylit_ref.texture.formulae.polar import MARGIN
 from stylit_ref.texture.formulae.seam_cost import squared_distance
 from stylit_ref.texture.passes.context import Context
-from stylit_ref.texture.passes.layout import Settings, Sources, Texture
+from stylit_ref.texture.passes.layout import LOCKED, Settings, Sources, Texture
 
 LOOKED_AT = 64
 """Pixels that are compared when candidates are prescreened."""
+
+_DRAWN_FOR_NEED = 8
+_FIRST_DRAW_FOR_NEED = 1 << 25
+"""Beyond the draws of candidates, of which there are at most 2**24."""
 
 _LARGEST_DISTANCE = 20000
 """Squared distances above count as this: what differs altogether will be cut away."""
@@ -34,9 +38,32 @@ def ring(radius: int) -> NDArray[np.int32]:
 
 
 @subroutine
-def exemplar_shown(texture: Texture, sources: Sources, settings: Settings, y: int, x: int) -> int:
-    """The number of the exemplar that the pixel (y, x) of S shows, from 0."""
-    address = np.int64(texture.addresses[y, x]) % settings.plane
+def exemplar_in_need(
+    texture: Texture,
+    sources: Sources,
+    settings: Settings,
+    stream: FourWords,
+    cell: int,
+    y: int,
+    x: int,
+) -> int:
+    """The exemplar, from 0, that the cell around the pixel (y, x) of S is offered a patch of.
+
+    It is the one shown where seams cost most, among some pixels that are drawn: a small part that
+    is still noise would otherwise wait for a cell with its centre there.
+    """
+    seams_x, seams_y, lock = texture.seams_x, texture.seams_y, texture.lock
+    height, width = lock.shape
+    side = 2 * settings.radius + 1
+    most, row, column = np.int64(-1), y, x
+    for k in range(_DRAWN_FOR_NEED):
+        words = random_words(stream, cell, _FIRST_DRAW_FOR_NEED + k)
+        there_y = (y + uniform_below(words[0], side) - settings.radius) % height
+        there_x = (x + uniform_below(words[1], side) - settings.radius) % width
+        cost = np.int64(seams_x[there_y, there_x]) + seams_y[there_y, there_x]
+        if cost > most and not lock[there_y, there_x] & LOCKED:
+            most, row, column = cost, there_y, there_x
+    address = np.int64(texture.addresses[row, column]) % settings.plane
     exemplar = np.int64(0)
     while sources.bounds[exemplar + 1] <= address:
         exemplar += 1

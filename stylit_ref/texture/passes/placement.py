@@ -10,7 +10,7 @@ from stylit_ref.randomness.philox import FourWords
 from stylit_ref.texture.formulae.polar import BLOCKED, Polar
 from stylit_ref.texture.passes.acceptance import cost_change, inner_cost, write_patch
 from stylit_ref.texture.passes.alignment import alignment_costs
-from stylit_ref.texture.passes.candidates import exemplar_shown, find_candidate
+from stylit_ref.texture.passes.candidates import exemplar_in_need, find_candidate
 from stylit_ref.texture.passes.context import Context, read_context
 from stylit_ref.texture.passes.cut import accumulate, closed_path
 from stylit_ref.texture.passes.cut_costs import cut_costs, end_rays, existing_seams
@@ -104,7 +104,7 @@ def fit_patch(
 
     exemplar = np.int64(-1)
     if settings.has_labels:
-        exemplar = exemplar_shown(texture, sources, settings, y, x)
+        exemplar = exemplar_in_need(texture, sources, settings, stream, cell, y, x)
     total, free = read_context(texture, colours, stride, y, x, half_width, limit, exemplar, context)
     nothing_to_gain = total == 0 and not settings.guide_weight and settings.predicate
     bounds = sources.centre_bounds
