@@ -31,14 +31,18 @@ if TYPE_CHECKING:
     from stylit_ref.stylization.stylize import Result, stylize
     from stylit_ref.stylization.warm_up import warm_up
     from stylit_ref.texture.complete import complete_texture, make_tileable
+    from stylit_ref.texture.dragging import DraggedPatch, drag, drop
+    from stylit_ref.texture.iteration import Iteration
+    from stylit_ref.texture.overlay import overlay
     from stylit_ref.texture.params import TEXTURE_PRESETS, TextureParams
     from stylit_ref.texture.replaying import replay_texture
-    from stylit_ref.texture.session import Iteration, TextureSession
+    from stylit_ref.texture.session import TextureSession
     from stylit_ref.texture.synthesize import TextureResult, synthesize_texture
 
 __all__ = [
     "PRESETS",
     "TEXTURE_PRESETS",
+    "DraggedPatch",
     "Field",
     "GuideEncoding",
     "Guides",
@@ -53,7 +57,10 @@ __all__ = [
     "TextureResult",
     "TextureSession",
     "complete_texture",
+    "drag",
+    "drop",
     "make_tileable",
+    "overlay",
     "read_guides",
     "read_image",
     "read_nnf",
@@ -88,9 +95,12 @@ _HOMES = {
     "stylization.stylize": ("Result", "stylize"),
     "stylization.warm_up": ("warm_up",),
     "texture.complete": ("complete_texture", "make_tileable"),
+    "texture.dragging": ("DraggedPatch", "drag", "drop"),
+    "texture.iteration": ("Iteration",),
+    "texture.overlay": ("overlay",),
     "texture.params": ("TEXTURE_PRESETS", "TextureParams"),
     "texture.replaying": ("replay_texture",),
-    "texture.session": ("Iteration", "TextureSession"),
+    "texture.session": ("TextureSession",),
     "texture.synthesize": ("TextureResult", "synthesize_texture"),
 }
 

@@ -28,9 +28,9 @@ from stylit_ref.files.write_image import check_image_writable, write_image
 from stylit_ref.machine.interruption import put_off_interruptions
 from stylit_ref.machine.kernel import compile_missing
 from stylit_ref.texture.complete import complete_texture, make_tileable
+from stylit_ref.texture.iteration import Iteration
 from stylit_ref.texture.params import TextureParams
 from stylit_ref.texture.replaying import replay_texture
-from stylit_ref.texture.session import Iteration
 from stylit_ref.texture.synthesize import Progress, TextureResult, synthesize_texture
 from stylit_ref.texture.warm_up import kernels_of_texture
 

@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
+from stylit_ref.randomness.philox import FourWords
 from stylit_ref.randomness.random_stream import WHITE_NOISE, random_stream
 from stylit_ref.texture.exemplars import Exemplars
 from stylit_ref.texture.passes.white_noise import white_noise
@@ -32,11 +33,22 @@ def begin_with_noise(
     pixels = np.flatnonzero(exemplars.valid).astype(np.int32)
     white_noise(addresses, pixels, stream)
     for label in np.unique(labels[labels > 0]):
-        least, beyond = np.searchsorted(pixels, exemplars.bounds[label - 1 : label + 1])
-        if least == beyond:
-            raise InputError(
-                f"has pixels of exemplar {label}, of which no pixel is known", parameter="labels"
-            )
-        noise = np.empty_like(addresses)
-        white_noise(noise, pixels[least:beyond], stream)
+        noise = noise_of(exemplars, label, addresses.size, stream).reshape(addresses.shape)
         np.copyto(addresses, noise, where=labels == label)
+
+
+def noise_of(exemplars: Exemplars, label: int, count: int, stream: FourWords) -> NDArray[np.int32]:
+    """So many random addresses of the exemplar ``label``, from 1.
+
+    Raises
+    ------
+    InputError
+        If none of its pixels is known.
+    """
+    first, beyond = exemplars.bounds[label - 1 : label + 1]
+    own = np.flatnonzero(exemplars.valid.ravel()[first:beyond])
+    if not own.size:
+        raise InputError(f"exemplar {label} is asked for, and no pixel of it is known")
+    noise = np.empty((1, count), np.int32)
+    white_noise(noise, (own + first).astype(np.int32), stream)
+    return noise[0]

@@ -56,16 +56,29 @@ def check_memory(size: tuple[int, int]) -> None:
         )
 
 
-def check_lock(lock: NDArray[np.bool_] | None, size: tuple[int, int]) -> NDArray[np.uint8]:
-    """A lock of the texture's size; nothing is locked where none is given."""
+def check_exemplar(exemplar: int, images: Sequence[NDArray[np.uint8]]) -> int:
+    """The number of an exemplar, from 1."""
+    if not isinstance(exemplar, Integral) or not 1 <= exemplar <= len(images):
+        raise InputError(
+            f"is {shown(exemplar)}; it must be an integer from 1 to {len(images)}, the number of "
+            "exemplars",
+            parameter="exemplar",
+        )
+    return int(exemplar)
+
+
+def check_lock(
+    lock: NDArray[np.bool_] | None, size: tuple[int, int], name: str = "lock"
+) -> NDArray[np.uint8]:
+    """A lock, or another mask, of the texture's size; all zeros where none is given."""
     if lock is None:
         return np.zeros(size, np.uint8)
-    locked = as_array(lock, "lock")
+    locked = as_array(lock, name)
     if locked.shape != size or locked.dtype != np.bool_:
         raise InputError(
             f"is {locked.dtype} of the shape {locked.shape}; it must be bool of the texture's "
             f"shape {size}",
-            parameter="lock",
+            parameter=name,
         )
     return np.ascontiguousarray(locked, np.uint8)
 

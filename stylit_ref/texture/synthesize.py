@@ -10,9 +10,10 @@ from numpy.typing import NDArray
 from stylit_ref.files.texture_field import TextureField
 from stylit_ref.machine.thread_count import using_threads
 from stylit_ref.texture.exemplars import Exemplars
+from stylit_ref.texture.iteration import Iteration
 from stylit_ref.texture.label_maps import FREE_BAND, band_for_shares, labels_by_shares
 from stylit_ref.texture.params import TextureParams
-from stylit_ref.texture.session import Iteration, TextureSession
+from stylit_ref.texture.session import TextureSession
 
 Progress = Callable[[Iteration], bool | None]
 """Called after each iteration; synthesis ends early where it returns True."""
