@@ -18,6 +18,11 @@ if TYPE_CHECKING:
     from stylit_ref.files.guides.read_guides import Guides, read_guides
     from stylit_ref.files.nnf_file import read_nnf, write_nnf
     from stylit_ref.files.read_image import read_image, read_uint8
+    from stylit_ref.files.texture_field import (
+        TextureField,
+        read_texture_field,
+        write_texture_field,
+    )
     from stylit_ref.files.write_image import write_image
     from stylit_ref.machine.profiling import Profile
     from stylit_ref.stylization.params import PRESETS, Params
@@ -25,13 +30,19 @@ if TYPE_CHECKING:
     from stylit_ref.stylization.replaying import replay
     from stylit_ref.stylization.stylize import Result, stylize
     from stylit_ref.stylization.warm_up import warm_up
+    from stylit_ref.texture.complete import complete_texture, make_tileable
+    from stylit_ref.texture.dragging import DraggedPatch, drag, drop
+    from stylit_ref.texture.iteration import Iteration
+    from stylit_ref.texture.overlay import overlay
     from stylit_ref.texture.params import TEXTURE_PRESETS, TextureParams
-    from stylit_ref.texture.session import Iteration, TextureSession
+    from stylit_ref.texture.replaying import replay_texture
+    from stylit_ref.texture.session import TextureSession
     from stylit_ref.texture.synthesize import TextureResult, synthesize_texture
 
 __all__ = [
     "PRESETS",
     "TEXTURE_PRESETS",
+    "DraggedPatch",
     "Field",
     "GuideEncoding",
     "Guides",
@@ -41,20 +52,29 @@ __all__ = [
     "Profile",
     "Result",
     "Step",
+    "TextureField",
     "TextureParams",
     "TextureResult",
     "TextureSession",
+    "complete_texture",
+    "drag",
+    "drop",
+    "make_tileable",
+    "overlay",
     "read_guides",
     "read_image",
     "read_nnf",
+    "read_texture_field",
     "read_uint8",
     "replay",
+    "replay_texture",
     "stylize",
     "synthesize_texture",
     "to_uint8",
     "warm_up",
     "write_image",
     "write_nnf",
+    "write_texture_field",
 ]
 __version__ = "0.1.0"
 
@@ -66,6 +86,7 @@ _HOMES = {
     "files.guides.read_guides": ("Guides", "read_guides"),
     "files.nnf_file": ("read_nnf", "write_nnf"),
     "files.read_image": ("read_image", "read_uint8"),
+    "files.texture_field": ("TextureField", "read_texture_field", "write_texture_field"),
     "files.write_image": ("write_image",),
     "machine.profiling": ("Profile",),
     "stylization.params": ("PRESETS", "Params"),
@@ -73,8 +94,13 @@ _HOMES = {
     "stylization.replaying": ("replay",),
     "stylization.stylize": ("Result", "stylize"),
     "stylization.warm_up": ("warm_up",),
+    "texture.complete": ("complete_texture", "make_tileable"),
+    "texture.dragging": ("DraggedPatch", "drag", "drop"),
+    "texture.iteration": ("Iteration",),
+    "texture.overlay": ("overlay",),
     "texture.params": ("TEXTURE_PRESETS", "TextureParams"),
-    "texture.session": ("Iteration", "TextureSession"),
+    "texture.replaying": ("replay_texture",),
+    "texture.session": ("TextureSession",),
     "texture.synthesize": ("TextureResult", "synthesize_texture"),
 }
 

@@ -170,7 +170,9 @@ class Flag:
 
     def parse(self, text: str) -> bool:
         """Yes or no."""
-        return {"yes": True, "no": False}[text]
+        if text not in ("yes", "no"):
+            raise ValueError(f"{text!r} is neither")
+        return text == "yes"
 
 
 @dataclass(frozen=True)

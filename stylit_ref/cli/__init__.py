@@ -9,7 +9,17 @@ call on the oracle, the bundled scenes and what there is for a GPU.
 import sys
 
 from stylit_ref import __version__
-from stylit_ref.cli import doctor, example, layers, oracle, replay, run, warm_up
+from stylit_ref.cli import (
+    doctor,
+    example,
+    layers,
+    oracle,
+    replay,
+    replay_texture,
+    run,
+    texture,
+    warm_up,
+)
 from stylit_ref.cli.notes import notes_on_stderr
 from stylit_ref.cli.parser import Parser
 from stylit_ref.errors import InputError
@@ -23,7 +33,7 @@ Paint a sphere, and have a whole rendering in that style. Begin with
 
 which copies scenes and prints a command that stylizes one."""
 
-COMMANDS = example, run, replay, layers, doctor, warm_up, oracle
+COMMANDS = example, run, replay, texture, replay_texture, layers, doctor, warm_up, oracle
 
 
 def command() -> None:

@@ -53,17 +53,21 @@ def read_deep_images(
     return DeepImages(style, fill)
 
 
-def holds_bits_of(style: np.ndarray, output: str, channels: int) -> bool:
-    """Whether a file of so many channels can hold the bit depth of a style; a note if not."""
+def holds_bits_of(style: np.ndarray, output: str, channels: int, what: str = "style") -> bool:
+    """Whether a file of so many channels can hold the bit depth of a style; a note if not.
+
+    The note calls the style ``what`` it is.
+    """
     if style.dtype == np.float32 and Path(output).suffix.lower() not in FLOAT_FORMATS:
         note(
             f"{output}: holds display values of 8 bits; an .exr file keeps the floating point of "
-            "the style"
+            f"the {what}"
         )
         return False
     if style.dtype == np.uint16 and check_image_writable(output, channels, "uint16") == "uint8":
         note(
-            f"{output}: holds 8 bits a channel; a .png, .tif or .exr file keeps the 16 of the style"
+            f"{output}: holds 8 bits a channel; a .png, .tif or .exr file keeps the 16 of the "
+            f"{what}"
         )
         return False
     return True

@@ -1,12 +1,12 @@
 """Options of ``run`` that shape the result, and the parameters that they give."""
 
 import argparse
-from collections.abc import Callable, Collection
+from collections.abc import Collection
 from dataclasses import fields
-from typing import Any
 
 from stylit_ref.cli.guide_options import guide_weights
 from stylit_ref.cli.methods import OFFERS, offer_of
+from stylit_ref.cli.parameter_options import add_parameter
 from stylit_ref.errors import InputError
 from stylit_ref.stylization.params import Params
 
@@ -20,18 +20,6 @@ SPELLED = {
 
 _OTHERS = "method", "guide_weights"
 """Parameters whose options are made by hand: ``--weight`` stands beside its guide."""
-
-
-def parsed(kind: Any) -> Callable[[str], Any]:
-    """The ``type`` of an option for a kind of parameter (:mod:`stylit_ref.parameters`)."""
-
-    def parse(text):
-        try:
-            return kind.parse(text)
-        except ValueError:
-            raise argparse.ArgumentTypeError(f"is {text!r}; it must be {kind.described}") from None
-
-    return parse
 
 
 def add_method(group: argparse._ArgumentGroup) -> None:
@@ -71,26 +59,13 @@ def add_parameters(
     for each in _parameters():
         if each.name in without or (names is not None and each.name not in names):
             continue
-        group.add_argument(
-            SPELLED.get(each.name, f"--{each.name.replace('_', '-')}"),
-            dest=each.name,
-            type=parsed(each.metadata["kind"]),
-            metavar=each.metadata["kind"].placeholder,
-            help=f"{each.metadata['text']} ({_in_python(each)}default {_default(each)})",
-        )
-
-
-def _in_python(field):
-    return f"{field.name} in Python, " if field.name in SPELLED else ""
+        add_parameter(group, each, _default(each), SPELLED.get(each.name))
 
 
 def _default(field):
     """What a run takes that names neither the option nor a preset."""
     preset = next(iter(offer_of(next(iter(OFFERS))).presets.values()))
-    value = preset.get(field.name, field.default)
-    if value is None:
-        return "none"
-    return f"{value:g}" if isinstance(value, float) else value
+    return preset.get(field.name, field.default)
 
 
 def _parameters():

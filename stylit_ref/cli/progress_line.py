@@ -59,11 +59,15 @@ class ProgressLine:
         told = _place(step)
         if self._verbose:
             told += f"  {_energy(step)}"
+        self.tell(step.done, told)
+
+    def tell(self, done: float, told: str) -> None:
+        """Tell in words how far a run is; ``done`` is the share of its work."""
         if not self._runs:
             self._runs = True
-            self._open(_RUN, desc=told, total=1.0, initial=step.done)
+            self._open(_RUN, desc=told, total=1.0, initial=done)
         self._bar.set_description_str(told, refresh=False)
-        self._bar.update(step.done - self._bar.n)
+        self._bar.update(done - self._bar.n)
 
     def _open(self, layout, **settings):
         self._close()

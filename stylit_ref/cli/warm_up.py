@@ -4,8 +4,9 @@ import argparse
 import sys
 from time import perf_counter
 
-from stylit_ref.cli.method_options import add_method, add_parameters, chosen_params, parsed
+from stylit_ref.cli.method_options import add_method, add_parameters, chosen_params
 from stylit_ref.cli.methods import offer_of
+from stylit_ref.cli.parameter_options import parsed
 from stylit_ref.cli.parser import Parser
 from stylit_ref.cli.progress_line import ProgressLine
 from stylit_ref.machine.kernel import compile_missing

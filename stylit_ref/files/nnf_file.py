@@ -10,17 +10,14 @@ A ``.npy`` file may hold several arrays one after the other; ``numpy.load`` read
 Files with the first alone are read too: earlier versions wrote them, and ``numpy.save`` does.
 """
 
-import io
 import json
 from pathlib import Path
 
 import numpy as np
 
-from stylit_ref.errors import InputError
-from stylit_ref.files.disk.paths import check_regular, check_writable, real_path
-from stylit_ref.files.disk.whole_file import whole_file
 from stylit_ref.files.field import Field
 from stylit_ref.files.guides.encoding import GuideEncoding
+from stylit_ref.files.npy_file import check_arrays_writable, read_arrays, write_arrays
 
 
 def read_nnf(path: str | Path) -> Field:
@@ -41,19 +38,7 @@ def read_nnf(path: str | Path) -> Field:
     InputError
         If the file is missing, incomplete, or not a ``.npy`` file.
     """
-    check_regular(real_path(path))
-    try:
-        # Mapping the file checks that it is as long as its header says, before memory is taken.
-        mapped = np.lib.format.open_memmap(path, mode="r")
-        with open(path, "rb") as file:
-            file.seek(mapped.offset + mapped.nbytes)
-            rest = io.BytesIO(file.read())
-        nnf = np.array(mapped, order="C")
-        return _with_its_run(nnf, rest) if rest.getbuffer() else Field(nnf)
-    except OSError as error:
-        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
-    except Exception as error:  # a broken header can make NumPy's parser raise anything
-        raise InputError(f"{path}: is not a readable .npy file: {error}") from None
+    return read_arrays(path, lambda nnf, rest: _with_its_run(nnf, rest) if rest else Field(nnf))
 
 
 def check_nnf_writable(path: str | Path) -> None:
@@ -63,9 +48,7 @@ def check_nnf_writable(path: str | Path) -> None:
     ------
     InputError
     """
-    if Path(path).suffix != ".npy":
-        raise InputError(f"{path}: the file name of a nearest-neighbour field must end in .npy")
-    check_writable(path)
+    check_arrays_writable(path, "a nearest-neighbour field")
 
 
 def write_nnf(path: str | Path, field: Field) -> None:
@@ -92,20 +75,17 @@ def write_nnf(path: str | Path, field: Field) -> None:
     arrays = [field.nnf, np.array(json.dumps(facts, default=int))]
     if field.mask is not None:
         arrays.append(field.mask)
-    size = sum(array.nbytes for array in arrays)
-    with whole_file(path, size + 2**12) as partial, partial.open("wb") as file:
-        for array in arrays:
-            np.save(file, array)
+    write_arrays(path, arrays)
 
 
 def _with_its_run(nnf, rest):
     """The field with what follows its array in the file."""
-    facts = json.loads(str(np.lib.format.read_array(rest)))
+    facts = json.loads(str(rest[0]))
     width, outliers, size = (facts[name] for name in ("patch_width", "vote_outliers", "style_size"))
     numbers = [outliers, *(size or ()), *([] if width is None else [width])]
     if any(type(number) is not int or number < 0 for number in numbers) or len(size or "HW") != 2:
         raise ValueError(f"the facts of its run are {facts}")
-    mask = np.lib.format.read_array(rest) if facts["has_mask"] else None
+    mask = rest[1] if facts["has_mask"] else None
     if mask is not None and (mask.dtype != bool or mask.shape != nnf.shape[:2]):
         raise ValueError(f"its mask is {mask.dtype} of shape {mask.shape}")
     encodings = tuple(map(GuideEncoding.from_dict, facts["guide_encodings"]))

@@ -2,6 +2,8 @@
 
 import signal
 from _thread import interrupt_main
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from threading import Timer
 
@@ -39,6 +41,35 @@ def heed_waiting() -> None:
         _waiting.cancel()
         _waiting = None
         raise KeyboardInterrupt
+
+
+@contextmanager
+def put_off_interruptions() -> Iterator[Callable[[], bool]]:
+    """Have the first interruption of the block only be remembered; a second one interrupts.
+
+    Yields
+    ------
+    callable
+        Whether an interruption came.
+    """
+    came = False
+
+    def remember(number, frame):
+        nonlocal came
+        came = True
+        signal.signal(number, before[number])
+
+    numbers = [
+        number
+        for number in (signal.SIGINT, signal.SIGTERM)
+        if signal.getsignal(number) is not signal.SIG_IGN
+    ]
+    before = {number: signal.signal(number, remember) for number in numbers}
+    try:
+        yield lambda: came
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
 
 
 def _interrupt(number, frame):

@@ -19,7 +19,7 @@ from stylit_ref.randomness.philox import FourWords, philox4x32
 RANDOM_NNF, RANDOM_SEARCH, COMMIT_ORDER, RETRIEVAL_NNF, RETRIEVAL_SEARCH = 1, 2, 3, 4, 5
 
 # Those of texture synthesis, 16 to 31.
-WHITE_NOISE, GRID, PATCHES = 16, 17, 18
+WHITE_NOISE, GRID, PATCHES, LABELS = 16, 17, 18, 19
 
 ITERATIONS = 1 << 16
 """Number of iterations that the counter can tell apart; the same for votes and levels."""

@@ -1,20 +1,16 @@
 """``stylize``: from images to a stylized image in one call."""
 
 from collections.abc import Callable, Sequence
-from contextlib import contextmanager, nullcontext
+from contextlib import nullcontext
 from dataclasses import dataclass
-from numbers import Integral
 
-import numba
 import numpy as np
 from numpy.typing import NDArray
 
 from stylit_ref.arrays import as_array
-from stylit_ref.errors import InputError, shown
-from stylit_ref.machine.forks import available_threads
 from stylit_ref.machine.profiling import Profile
+from stylit_ref.machine.thread_count import using_threads
 from stylit_ref.metric.packing import ONE
-from stylit_ref.notes import note
 from stylit_ref.stylization.backends import CPU, find_backend
 from stylit_ref.stylization.mask import fill_masked
 from stylit_ref.stylization.params import Params, as_params
@@ -125,7 +121,7 @@ def stylize(
     if profile:
         found = found._replace(passes=profile.passes(found.passes))
     history, guide_maps = [], []
-    with _threads(threads):
+    with using_threads(threads):
         synthesis = make_synthesis(
             style, source_guides, target_guides, params,
             seed=seed, mask=mask, fill=fill, backend=found,
@@ -171,23 +167,3 @@ def _shaped_like(style, image):
     """Copy an (H, W, n) image out of its texture, without the last axis for a 2-D style."""
     image = np.ascontiguousarray(image)
     return image[:, :, 0] if np.ndim(style) == 2 and image.shape[2] == 1 else image
-
-
-@contextmanager
-def _threads(threads):
-    if threads is None:
-        yield
-        return
-    if not isinstance(threads, Integral) or threads < 1:
-        raise InputError(
-            f"is {shown(threads)}; it must be an integer of at least 1", parameter="threads"
-        )
-    available = available_threads()
-    if threads > available:
-        note(f"is {threads}, but {available} are used, all that there are", parameter="threads")
-    before = numba.get_num_threads()
-    numba.set_num_threads(min(threads, available))
-    try:
-        yield
-    finally:
-        numba.set_num_threads(min(before, available_threads()))  # fewer in a fork from a callback

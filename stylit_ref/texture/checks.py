@@ -8,10 +8,14 @@ from numpy.typing import NDArray
 
 from stylit_ref.arrays import as_array
 from stylit_ref.errors import InputError, shown
+from stylit_ref.machine.memory import physical_memory
 from stylit_ref.texture.exemplars import packed_planes, with_channels
 from stylit_ref.texture.formulae.deformation import PHASES
 
 LARGEST_SIDE = 1 << 16
+
+_BYTES_A_PIXEL = 24
+"""Of a texture: its address, two seams, a patch on top, its colours."""
 
 
 def check_seed(seed: int) -> None:
@@ -40,18 +44,65 @@ def check_size(size: tuple[int, int]) -> tuple[int, int]:
     return int(height), int(width)
 
 
-def check_lock(lock: NDArray[np.bool_] | None, size: tuple[int, int]) -> NDArray[np.uint8]:
-    """A lock of the texture's size; nothing is locked where none is given."""
+def check_memory(size: tuple[int, int]) -> None:
+    """Refuse a texture that the machine has no memory for, before any is taken."""
+    height, width = size
+    needed, there = height * width * _BYTES_A_PIXEL, physical_memory()
+    if there is not None and needed > there:
+        raise InputError(
+            f"is {width} x {height} pixels, which take about {needed / 2**30:.1f} GiB; the machine "
+            f"has {there / 2**30:.1f} GiB of memory; make it smaller",
+            parameter="size",
+        )
+
+
+def check_exemplar(exemplar: int, images: Sequence[NDArray[np.uint8]]) -> int:
+    """The number of an exemplar, from 1."""
+    if not isinstance(exemplar, Integral) or not 1 <= exemplar <= len(images):
+        raise InputError(
+            f"is {shown(exemplar)}; it must be an integer from 1 to {len(images)}, the number of "
+            "exemplars",
+            parameter="exemplar",
+        )
+    return int(exemplar)
+
+
+def check_lock(
+    lock: NDArray[np.bool_] | None, size: tuple[int, int], name: str = "lock"
+) -> NDArray[np.uint8]:
+    """A lock, or another mask, of the texture's size; all zeros where none is given."""
     if lock is None:
         return np.zeros(size, np.uint8)
-    locked = as_array(lock, "lock")
+    locked = as_array(lock, name)
     if locked.shape != size or locked.dtype != np.bool_:
         raise InputError(
             f"is {locked.dtype} of the shape {locked.shape}; it must be bool of the texture's "
             f"shape {size}",
-            parameter="lock",
+            parameter=name,
         )
     return np.ascontiguousarray(locked, np.uint8)
+
+
+def check_labels(
+    labels: NDArray[np.uint8] | None, images: Sequence[NDArray[np.uint8]], size: tuple[int, int]
+) -> NDArray[np.uint8]:
+    """Labels of the texture's size, each 0 or the number of an exemplar; (1, 1) zeros for None."""
+    if labels is None:
+        return np.zeros((1, 1), np.uint8)
+    given = as_array(labels, "labels")
+    if given.shape != size or given.dtype != np.uint8:
+        raise InputError(
+            f"is {given.dtype} of the shape {given.shape}; it must be uint8 of the texture's shape "
+            f"{size}",
+            parameter="labels",
+        )
+    if given.max() > len(images):
+        raise InputError(
+            f"has the label {given.max()}, but there are {len(images)} exemplars; give one for "
+            "every label",
+            parameter="labels",
+        )
+    return np.ascontiguousarray(given)
 
 
 def check_coordinates(

@@ -65,6 +65,12 @@ class Exemplars:
         heights = [0] + [image.shape[0] + 2 * self.border for image in self.images]
         return tuple(int(row) + self.border for row in np.cumsum(heights)[:-1])
 
+    @cached_property
+    def bounds(self) -> NDArray[np.int64]:
+        """The first address of each image with its border, and the end of the plane."""
+        rows = np.asarray(self.first_rows) - self.border
+        return np.append(rows * self.stride, self.plane).astype(np.int64)
+
     def centres(self, radius: int) -> NDArray[np.int32]:
         """Addresses where the centre of a patch may lie: more than R / 2 inside.
 

@@ -159,5 +159,9 @@ TEXTURE_PRESETS: dict[str, dict[str, Any]] = {
         "max_deformation": 32, "max_jump": 4, "predicate": "after", "weighting": "printed",
         "second_pass": False, "candidates": 1, "iterations": 16,
     },
+    "complete": {
+        "radius": 48, "radius_step": 2, "radius_end": 10, "candidates": 1024, "tries": 4,
+        "iterations": 60,
+    },
 }  # fmt: skip
-"""Changes to the defaults; ``paper`` has the settings of section 8."""
+"""Changes to the defaults; ``paper`` has the settings of section 8, ``complete`` is for holes."""

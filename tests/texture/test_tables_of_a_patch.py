@@ -19,9 +19,14 @@ def test_a_window_holds_both_pixels_of_every_edge_that_is_read(radius):
     context = Context(*rooms, np.full(side**2, 9, np.uint8))
     flat = np.ones((3 * side, 3 * side), np.int32)
     texture = Texture(
-        10 * flat, flat, flat, np.zeros(flat.shape, np.uint8), np.zeros((1, 1), np.int32)
+        10 * flat,
+        flat,
+        flat,
+        np.zeros(flat.shape, np.uint8),
+        np.zeros((1, 1), np.uint8),
+        np.zeros((1, 1), np.int32),
     )
-    read_context(texture, np.arange(30, dtype=np.int32), 5, 0, 0, polar.half_width, context)
+    read_context(texture, np.arange(30, dtype=np.int32), 5, 0, 0, polar.half_width, -1, context)
     for j in range(1, side - 1):
         reach, middle = polar.half_width[j], j * side + side // 2
         places = np.arange(middle - reach, middle + reach + 1)

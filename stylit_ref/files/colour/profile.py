@@ -164,7 +164,7 @@ def note_what_is_lost(profile: ColourProfile, path: str | Path, written: ColourP
     if lost:
         what, keeps = " and ".join(lost), "an .exr" if profile.of_light else "a .png"
         note(
-            f"{path}: cannot hold the {what} of the style, so its colours are taken as sRGB; "
+            f"{path}: cannot hold the {what} of the picture, so its colours are taken as sRGB; "
             f"{keeps} file can",
             level=logging.WARNING,
         )

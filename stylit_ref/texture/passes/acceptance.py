@@ -6,7 +6,7 @@ from numpy.typing import NDArray
 from stylit_ref.machine.inlined import subroutine
 from stylit_ref.texture.formulae.guide_cost import guide_cost
 from stylit_ref.texture.formulae.seam_cost import edge_cost
-from stylit_ref.texture.passes.layout import Settings, Sources, Texture
+from stylit_ref.texture.passes.layout import FREE_BELOW, FREE_RIGHT, Settings, Sources, Texture
 
 
 @subroutine
@@ -51,12 +51,13 @@ def cost_change(
                 wanted, shown = texture.guide[row, column], sources.guide_colours
                 change += guide_cost(shown[new], wanted, settings.guide_weight)
                 change -= guide_cost(shown[addresses[row, column]], wanted, settings.guide_weight)
-            if new >= 0 or new_right >= 0:
+            free = texture.lock[row, column] if settings.has_lock else np.uint8(0)
+            if (new >= 0 or new_right >= 0) and not free & FREE_RIGHT:
                 right = column + 1 if column + 1 < width else 0
                 there = new_right if new_right >= 0 else addresses[row, right]
                 cost = edge_cost(colours, here, there, 1, eta, exponent)
                 change += np.int64(cost) - seams_x[row, column]
-            if new >= 0 or new_below >= 0:
+            if (new >= 0 or new_below >= 0) and not free & FREE_BELOW:
                 there = new_below if new_below >= 0 else addresses[below, column]
                 cost = edge_cost(colours, here, there, stride, eta, exponent)
                 change += np.int64(cost) - seams_y[row, column]
@@ -112,14 +113,15 @@ def write_patch(
         for i in range(1, side - 1):
             place = j * side + i
             column = (x + i - centre) % width
+            free = texture.lock[row, column] if settings.has_lock else np.uint8(0)
             # The edges of a pixel beside the patch may be those of the next patch, too: each of
             # the two is written only if it is one of this patch.
-            if patch[place] >= 0 or patch[place + to_right] >= 0:
+            if (patch[place] >= 0 or patch[place + to_right] >= 0) and not free & FREE_RIGHT:
                 right = column + 1 if column + 1 < width else 0
                 seams_x[row, column] = edge_cost(
                     colours, addresses[row, column], addresses[row, right], 1, eta, exponent
                 )
-            if patch[place] >= 0 or patch[place + to_below] >= 0:
+            if (patch[place] >= 0 or patch[place + to_below] >= 0) and not free & FREE_BELOW:
                 seams_y[row, column] = edge_cost(
                     colours, addresses[row, column], addresses[below, column], stride, eta,
                     exponent,

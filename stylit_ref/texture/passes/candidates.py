@@ -9,10 +9,14 @@ from stylit_ref.randomness.random_stream import random_words
 from stylit_ref.texture.formulae.polar import MARGIN
 from stylit_ref.texture.formulae.seam_cost import squared_distance
 from stylit_ref.texture.passes.context import Context
-from stylit_ref.texture.passes.layout import Settings, Sources, Texture
+from stylit_ref.texture.passes.layout import LOCKED, Settings, Sources, Texture
 
 LOOKED_AT = 64
 """Pixels that are compared when candidates are prescreened."""
+
+_DRAWN_FOR_NEED = 8
+_FIRST_DRAW_FOR_NEED = 1 << 25
+"""Beyond the draws of candidates, of which there are at most 2**24."""
 
 _LARGEST_DISTANCE = 20000
 """Squared distances above count as this: what differs altogether will be cut away."""
@@ -34,6 +38,39 @@ def ring(radius: int) -> NDArray[np.int32]:
 
 
 @subroutine
+def exemplar_in_need(
+    texture: Texture,
+    sources: Sources,
+    settings: Settings,
+    stream: FourWords,
+    cell: int,
+    y: int,
+    x: int,
+) -> int:
+    """The exemplar, from 0, that the cell around the pixel (y, x) of S is offered a patch of.
+
+    It is the one shown where seams cost most, among some pixels that are drawn: a small part that
+    is still noise would otherwise wait for a cell with its centre there.
+    """
+    seams_x, seams_y, lock = texture.seams_x, texture.seams_y, texture.lock
+    height, width = lock.shape
+    side = 2 * settings.radius + 1
+    most, row, column = np.int64(-1), y, x
+    for k in range(_DRAWN_FOR_NEED):
+        words = random_words(stream, cell, _FIRST_DRAW_FOR_NEED + k)
+        there_y = (y + uniform_below(words[0], side) - settings.radius) % height
+        there_x = (x + uniform_below(words[1], side) - settings.radius) % width
+        cost = np.int64(seams_x[there_y, there_x]) + seams_y[there_y, there_x]
+        if cost > most and not lock[there_y, there_x] & LOCKED:
+            most, row, column = cost, there_y, there_x
+    address = np.int64(texture.addresses[row, column]) % settings.plane
+    exemplar = np.int64(0)
+    while sources.bounds[exemplar + 1] <= address:
+        exemplar += 1
+    return exemplar
+
+
+@subroutine
 def find_candidate(
     texture: Texture,
     sources: Sources,
@@ -42,28 +79,36 @@ def find_candidate(
     stream: FourWords,
     cell: int,
     first_draw: int,
+    exemplar: int,
     y: int,
     x: int,
 ) -> int:
     """The address of the centre of a patch in an exemplar, for the cell around the pixel (y, x).
 
-    ``cell`` and ``first_draw`` tell the draws of a stream apart. Of equally near candidates, the
-    first is taken.
+    Of ``exemplar`` alone, or of any if that is -1. ``cell`` and ``first_draw`` tell the draws of a
+    stream apart. Of equally near candidates, the first is taken.
     """
     addresses, colours, centres = texture.addresses, sources.colours, sources.centres
     stride, plane, radius = settings.stride, settings.plane, settings.radius
     height, width = addresses.shape
     side = 2 * (radius + MARGIN) + 1
+    first, count = np.int64(0), centres.size
+    least, beyond = np.int64(0), np.int64(plane)
+    if exemplar >= 0:
+        first = sources.centre_bounds[exemplar]
+        count = sources.centre_bounds[exemplar + 1] - first
+        least, beyond = sources.bounds[exemplar], sources.bounds[exemplar + 1]
     best, best_distance = np.int64(-1), np.int64(1) << 62
     for k in range(settings.prescreened):
         words = random_words(stream, cell, first_draw + k)
-        candidate = np.int64(centres[uniform_below(words[0], centres.size)])
+        candidate = np.int64(centres[first + uniform_below(words[0], count)])
         if (words[1] & 65535) < settings.coherence:
             to_y = uniform_below(words[2], 2 * radius + 1) - radius
             to_x = uniform_below(words[3], 2 * radius + 1) - radius
             there = np.int64(addresses[(y + to_y) % height, (x + to_x) % width]) % plane
             there -= to_y * stride + to_x
-            if 0 <= there < plane and 2 * np.int64(sources.clearance[there]) > radius:
+            clear = sources.clearance[there] if least <= there < beyond else np.uint16(0)
+            if 2 * np.int64(clear) > radius:
                 candidate = there
         if settings.prescreened == 1:
             return candidate

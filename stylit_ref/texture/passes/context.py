@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from stylit_ref.machine.inlined import subroutine
 from stylit_ref.texture.formulae.polar import MARGIN
-from stylit_ref.texture.passes.layout import Texture
+from stylit_ref.texture.passes.layout import LOCKED, Texture
 
 
 class Context(NamedTuple):
@@ -23,7 +23,7 @@ class Context(NamedTuple):
     seams : (n * n,) int32
         What the two edges of a place cost now.
     locked : (n * n,) uint8
-        Whether a pixel keeps what it shows.
+        The lock; a pixel for another exemplar than that of the patch is locked, too.
     """
 
     here: NDArray[np.int32]
@@ -41,16 +41,17 @@ def read_context(
     y: int,
     x: int,
     half_width: NDArray[np.int32],
+    exemplar: int,
     context: Context,
 ) -> tuple[int, int]:
-    """Fill a context around the pixel (y, x) of S.
+    """Fill a context around the pixel (y, x) of S, for a patch of ``exemplar``; -1 for any.
 
     Returns
     -------
     total, free : int
         What its seams cost, and how many of its pixels are not locked.
     """
-    addresses, seams_x, seams_y, lock = texture[:4]
+    addresses, seams_x, seams_y, lock, labels = texture[:5]
     height, width = addresses.shape
     side = half_width.size
     centre = side // 2
@@ -69,9 +70,12 @@ def read_context(
             context.beside_y[place] = colours[a + inward_y]
             cost_x, cost_y = seams_x[row, column], seams_y[row, column]
             context.seams[place] = cost_x + cost_y
-            context.locked[place] = lock[row, column]
+            kept = lock[row, column]
+            if exemplar >= 0 and labels[row, column] and labels[row, column] != exemplar + 1:
+                kept |= LOCKED
+            context.locked[place] = kept
             total += np.int64(cost_x) + cost_y
-            free += not lock[row, column]
+            free += not kept & LOCKED
             place += 1
             column += 1
             if column == width:

@@ -7,7 +7,7 @@ from stylit_ref.machine.inlined import subroutine
 from stylit_ref.texture.formulae.deformation import address_at, deformed_angle, position
 from stylit_ref.texture.formulae.polar import Polar, row_of
 from stylit_ref.texture.passes.context import Context
-from stylit_ref.texture.passes.layout import Settings
+from stylit_ref.texture.passes.layout import LOCKED, Settings
 
 OUTSIDE = -1
 """Stands for a pixel that a patch leaves alone."""
@@ -52,7 +52,7 @@ def rasterize(
             radius, angle = polar.radius_at[place], polar.angle_at[place]
             row = row_of(angle, rows)
             border = polar.border[path[row] + 1]
-            if radius >= border or context.locked[place]:
+            if radius >= border or context.locked[place] & LOCKED:
                 continue
             a = np.int64(source) + (j - centre) * stride + i - centre
             if deformed and shifts[row] != 0:

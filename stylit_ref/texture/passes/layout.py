@@ -7,6 +7,9 @@ from numpy.typing import NDArray
 
 from stylit_ref.texture.formulae.polar import Polar
 
+LOCKED, FREE_RIGHT, FREE_BELOW = 1, 2, 4
+"""Bits of a lock: the pixel stays; the edge to its right, or below it, costs nothing."""
+
 
 class Settings(NamedTuple):
     """The numbers that an iteration goes by, all integers.
@@ -31,8 +34,9 @@ class Settings(NamedTuple):
     second_pass : int
     prescreened, coherence, tries : int
         How candidates are found.
-    has_lock, guide_weight : int
-        Whether pixels are locked; the fixed-point weight of the guide, 0 without one.
+    has_lock, has_labels, guide_weight : int
+        Whether pixels are locked, or for one exemplar alone; the fixed-point weight of the guide, 0
+        without one.
     """
 
     stride: int
@@ -53,6 +57,7 @@ class Settings(NamedTuple):
     coherence: int
     tries: int
     has_lock: int
+    has_labels: int
     guide_weight: int
 
 
@@ -64,6 +69,9 @@ class Texture(NamedTuple):
     addresses : (H, W) int32
     seams_x, seams_y : (H, W) int32
     lock : (H, W) uint8
+        :data:`LOCKED`, :data:`FREE_RIGHT`, :data:`FREE_BELOW`.
+    labels : (H, W) uint8
+        The number of the exemplar, from 1, that alone a pixel may show; 0 for any; (1, 1) without.
     guide : (H, W) int32
         The guide that each pixel should have, packed as colours are; (1, 1) without one.
     """
@@ -72,6 +80,7 @@ class Texture(NamedTuple):
     seams_x: NDArray[np.int32]
     seams_y: NDArray[np.int32]
     lock: NDArray[np.uint8]
+    labels: NDArray[np.uint8]
     guide: NDArray[np.int32]
 
 
@@ -88,7 +97,10 @@ class Sources(NamedTuple):
         How far the nearest pixel is that belongs to no exemplar or is not known, in whole pixels: 0
         for such a pixel itself.
     centres : (m,) int32
-        Addresses where a patch may have its centre: those with 2 clearance > R.
+        Addresses where a patch may have its centre, those with 2 clearance > R, exemplar by
+        exemplar.
+    bounds, centre_bounds : (k + 1,) int64
+        Where the addresses of each exemplar begin, and its centres.
     ring : (64, 2) int32
         Where candidates are compared.
     """
@@ -97,6 +109,8 @@ class Sources(NamedTuple):
     guide_colours: NDArray[np.int32]
     clearance: NDArray[np.uint16]
     centres: NDArray[np.int32]
+    bounds: NDArray[np.int64]
+    centre_bounds: NDArray[np.int64]
     ring: NDArray[np.int32]
 
 

@@ -14,7 +14,7 @@ from stylit_ref.machine.inlined import subroutine
 from stylit_ref.texture.formulae.guide_cost import guide_cost
 from stylit_ref.texture.formulae.seam_cost import edge_cost
 from stylit_ref.texture.passes.context import Context
-from stylit_ref.texture.passes.layout import Settings, Texture
+from stylit_ref.texture.passes.layout import FREE_BELOW, FREE_RIGHT, LOCKED, Settings, Texture
 
 
 @subroutine
@@ -24,16 +24,16 @@ def free_locked_edges(
     new_x: NDArray[np.int32],
     new_y: NDArray[np.int32],
 ) -> None:
-    """Let cuts cross edges between locked pixels for nothing."""
+    """Let cuts cross edges between locked pixels for nothing, and those that are free."""
     side = half_width.size
     locked = context.locked
     for j in range(1, side - 1):
         reach = half_width[j]
         middle = j * side + side // 2
         for place in range(middle - reach, middle + reach + 1):
-            if locked[place] and locked[place + 1]:
+            if locked[place] & locked[place + 1] & LOCKED or locked[place] & FREE_RIGHT:
                 new_x[place] = 0
-            if locked[place] and locked[place + side]:
+            if locked[place] & locked[place + side] & LOCKED or locked[place] & FREE_BELOW:
                 new_y[place] = 0
 
 
@@ -66,18 +66,18 @@ def hidden_beside_locked(
             a = addresses[row, column]
             new = source + (j - centre) * stride + i - centre
             saved = np.int64(0)
-            if not (locked[place] and locked[place + 1]):
+            if not (locked[place] & locked[place + 1] & LOCKED or locked[place] & FREE_RIGHT):
                 saved += seams_x[row, column]
-                if locked[place]:
+                if locked[place] & LOCKED:
                     saved -= edge_cost(colours, a, new + 1, 1, eta, exponent)
-                elif locked[place + 1]:
+                elif locked[place + 1] & LOCKED:
                     b = addresses[row, (column + 1) % width]
                     saved -= edge_cost(colours, new, b, 1, eta, exponent)
-            if not (locked[place] and locked[place + side]):
+            if not (locked[place] & locked[place + side] & LOCKED or locked[place] & FREE_BELOW):
                 saved += seams_y[row, column]
-                if locked[place]:
+                if locked[place] & LOCKED:
                     saved -= edge_cost(colours, a, new + stride, stride, eta, exponent)
-                elif locked[place + side]:
+                elif locked[place + side] & LOCKED:
                     b = addresses[below, column]
                     saved -= edge_cost(colours, new, b, stride, eta, exponent)
             hidden[place] = saved
@@ -106,7 +106,7 @@ def hidden_by_guide(
         reach = half_width[j]
         for i in range(centre - reach, centre + reach + 1):
             place = j * side + i
-            if context.locked[place]:
+            if context.locked[place] & LOCKED:
                 continue
             column = (x + i - centre) % width
             wanted = guide[row, column]

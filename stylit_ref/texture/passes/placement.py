@@ -10,7 +10,7 @@ from stylit_ref.randomness.philox import FourWords
 from stylit_ref.texture.formulae.polar import BLOCKED, MARGIN, Polar, halvings
 from stylit_ref.texture.passes.acceptance import cost_change, inner_cost, write_patch
 from stylit_ref.texture.passes.alignment import alignment_costs
-from stylit_ref.texture.passes.candidates import find_candidate
+from stylit_ref.texture.passes.candidates import exemplar_in_need, find_candidate
 from stylit_ref.texture.passes.context import Context, read_context
 from stylit_ref.texture.passes.cut import accumulate, closed_path
 from stylit_ref.texture.passes.cut_costs import cut_costs, end_rays, existing_seams
@@ -108,9 +108,14 @@ def fit_patch(
     eta, exponent, jump = settings.eta, settings.exponent, settings.max_jump
     depends_on_patch = settings.has_lock or settings.guide_weight
 
-    total, free = read_context(texture, colours, stride, y, x, half_width, context)
+    exemplar = np.int64(-1)
+    if settings.has_labels:
+        exemplar = exemplar_in_need(texture, sources, settings, stream, cell, y, x)
+    total, free = read_context(texture, colours, stride, y, x, half_width, exemplar, context)
     nothing_to_gain = total == 0 and not settings.guide_weight and settings.predicate
-    if free == 0 or nothing_to_gain:
+    bounds = sources.centre_bounds
+    has_source = exemplar < 0 or bounds[exemplar] < bounds[exemplar + 1]
+    if free == 0 or nothing_to_gain or not has_source:
         return UNTRIED, np.int64(0)
     halved = halvings(total, settings.hidden_limit)
     if not depends_on_patch:
@@ -120,7 +125,16 @@ def fit_patch(
     hides, steps_cost = np.int64(0), np.int64(0)
     for attempt in range(settings.tries):
         candidate = find_candidate(
-            texture, sources, settings, context, stream, cell, attempt * settings.prescreened, y, x
+            texture,
+            sources,
+            settings,
+            context,
+            stream,
+            cell,
+            attempt * settings.prescreened,
+            exemplar,
+            y,
+            x,
         )
         if depends_on_patch:
             if settings.has_lock:

@@ -98,8 +98,8 @@ def test_what_a_format_cannot_say_is_told(tmp_path, image, profile, suffix, lost
     write_image(tmp_path / f"a.{suffix}", image, profile=profile)
     keeps = "an .exr" if profile.of_light else "a .png"
     said = (
-        f"{tmp_path}/a.{suffix}: cannot hold the {lost} of the style, so its colours are taken as "
-        f"sRGB; {keeps} file can"
+        f"{tmp_path}/a.{suffix}: cannot hold the {lost} of the picture, so its colours are taken "
+        f"as sRGB; {keeps} file can"
     )
     assert caplog.record_tuples == [("stylit_ref", logging.WARNING, said)]
 

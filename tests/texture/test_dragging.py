@@ -1,0 +1,66 @@
+"""A patch that is dragged over a texture, and dropped."""
+
+import numpy as np
+import pytest
+from small_textures import quick, spots
+
+from stylit_ref import InputError, TextureSession, drag, drop
+
+EXEMPLARS = [spots(1), spots(2, 40)]
+
+
+@pytest.fixture
+def session():
+    """A texture in the midst of its synthesis."""
+    session = TextureSession(EXEMPLARS, (50, 64), quick())
+    for _ in range(4):
+        session.step()
+    return session
+
+
+def test_dragging_leaves_the_texture_alone(session):
+    before = session.addresses.copy(), session.cost, session.iteration
+    for place in ((20, 30), (0, 0), (49, 63)):
+        assert drag(session, (1, 20, 24), place).covers.any()
+    assert np.array_equal(session.addresses, before[0])
+    assert (session.cost, session.iteration) == before[1:]
+    assert session.recount() == session.cost
+
+
+@pytest.mark.parametrize("place", [(20, 30), (1, 62)])
+def test_what_is_dropped_is_what_was_shown(session, place):
+    patch = drag(session, (2, 20, 15), place, least_radius=4)
+    before, cost = session.image, session.cost
+    drop(session, patch)
+    assert session.cost == cost + patch.change == session.recount()
+    side = len(patch.covers)
+    y, x = np.nonzero(patch.covers)
+    rows, columns = (place[0] + y - side // 2) % 50, (place[1] + x - side // 2) % 64
+    expected = before.copy()
+    expected[rows, columns] = patch.colours[y, x]
+    assert np.array_equal(session.image, expected)
+    assert np.array_equal(session.coordinates[place], [1, 80, 60])
+
+
+@pytest.mark.parametrize("least", [1, 5, 7])
+def test_a_patch_has_at_least_the_least_radius(session, least):
+    covers = drag(session, (1, 20, 24), (20, 30), least_radius=least).covers
+    away = np.hypot(*(np.indices(covers.shape) - len(covers) // 2))
+    assert covers[away < least - 1].all()
+    assert not covers[away > 9].any()
+
+
+@pytest.mark.parametrize(
+    ("source", "place", "least", "said"),
+    [
+        ((3, 20, 20), (20, 30), 1, "exemplar is 3; it must be an integer from 1 to 2"),
+        ((1, 48, 20), (20, 30), 1, "source is (48, 20); y must be an integer from 0 to 47"),
+        ((1, 2, 20), (20, 30), 1, "source is (1, 2, 20), too close to a border of the exemplar"),
+        ((1, 20, 20), (20, 64), 1, "place is (20, 64); y must be"),
+        ((1, 20, 20), (20, 30), 9, "least_radius is 9; it must be an integer from 0 to the radius"),
+    ],
+)
+def test_positions_that_are_none_are_refused(session, source, place, least, said):
+    with pytest.raises(InputError) as error:
+        drag(session, source, place, least_radius=least)
+    assert str(error.value).startswith(said)
