@@ -118,13 +118,6 @@ class TextureSession:
         check_memory((height, width))
         self.params = TextureParams() if params is None else params
         largest = self._largest_radius(height, width)
-        if self.params.radius > largest:
-            note(
-                f"is {self.params.radius}, but {largest} is used: the texture has {width} x "
-                f"{height} pixels",
-                parameter="radius",
-                level=logging.WARNING,
-            )
         self.seed, self.iteration = seed, 0
         self._known = known
         self.exemplars = self._lay_out(exemplars, self.params)
@@ -149,6 +142,13 @@ class TextureSession:
         labels = with_free_borders(labels, free_band)
         self.texture = Texture(addresses, *seams, locked, labels, guide)
         self.fitted(min(self.params.radius, largest))
+        if self.params.radius > largest:
+            note(
+                f"is {self.params.radius}, but {largest} is used: the texture has {width} x "
+                f"{height} pixels",
+                parameter="radius",
+                level=logging.WARNING,
+            )
         self._count()
 
     @property
