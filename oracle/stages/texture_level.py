@@ -6,16 +6,18 @@ import numpy as np
 from scipy.ndimage import distance_transform_edt
 
 from stylit_ref.randomness.random_stream import random_stream
-from stylit_ref.texture.formulae.polar import BLOCKED, MARGIN, Polar
+from stylit_ref.texture.formulae.polar import BLOCKED, MARGIN, Polar, halvings
 from stylit_ref.texture.passes.context import Context, read_context
 from stylit_ref.texture.passes.layout import Settings, Sources, Texture
+from stylit_ref.texture.passes.lock import hidden_beside_locked, hidden_by_guide, magnitude
 from stylit_ref.texture.passes.placement import PREDICATES
 from stylit_ref.texture.passes.seam_maps import seam_maps
 
 CHOICES = {
-    "max_jump": 1, "max_shift": 0, "limit": 0, "penalty": 0, "second_pass": False, "prescreened": 1,
-    "coherence": 0, "tries": 1, "guide_weight": 0, "predicate": "exact", "fractions": False,
-    "radius": 1, "eta": 1, "exponent": 1,
+    "max_jump": 1, "max_shift": 0, "new_limit": 0, "existing_limit": 0, "hidden_limit": 0,
+    "penalty": 0, "second_pass": False, "prescreened": 1, "coherence": 0, "tries": 1,
+    "guide_weight": 0, "predicate": "exact", "fractions": False, "radius": 1, "eta": 1,
+    "exponent": 1,
 }  # fmt: skip
 """What a stage leaves alone has these values; they are of no account."""
 
@@ -103,10 +105,23 @@ def context_of(scene: Scene, y: int, x: int) -> Context:
     rooms = [np.zeros(half_width.size**2, np.int32) for _ in Context._fields[:-1]]
     context = Context(*rooms, np.zeros(half_width.size**2, np.uint8))
     read_context(
-        scene.texture, scene.sources.colours, scene.settings.stride, y, x, half_width,
-        scene.settings.limit, context,
-    )  # fmt: skip
+        scene.texture, scene.sources.colours, scene.settings.stride, y, x, half_width, context
+    )
     return context
+
+
+def hidden_by(scene: Scene, context: Context, source: int, y: int, x: int):
+    """What each pixel of a window saves if a patch covers it, and how often costs are halved."""
+    texture, sources, polar, settings = scene
+    window = settings, source, y, x, polar.half_width, context
+    if settings.has_lock:
+        hidden = np.zeros_like(context.seams)
+        hidden_beside_locked(texture, sources.colours, *window, hidden)
+    else:
+        hidden = context.seams.copy()
+    if settings.guide_weight:
+        hidden_by_guide(texture, sources.guide_colours, *window, hidden)
+    return hidden, halvings.py_func(magnitude(hidden), settings.hidden_limit)
 
 
 def stream_of(parameters, purpose):

@@ -163,7 +163,7 @@ class CostLimits(NamedTuple):
     new : int
         Of one edge that a cut crosses; larger ones are cut off.
     existing : int
-        Of the two edges of a pixel that a patch hides; larger ones are cut off.
+        Of the two edges of a pixel that a patch hides, of either sign; larger ones are cut off.
     hidden : int
         Of all that a patch can hide. Where there is more, as in white noise, all costs are halved
         until there is not (:func:`halvings`).
