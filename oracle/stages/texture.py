@@ -92,7 +92,7 @@ def _candidates(_, parameters, arrays):
         found.append(
             find_candidate(
                 scene.texture, scene.sources, scene.settings, context_of(scene, y, x),
-                stream_of(parameters, PATCHES), cell, draw, y, x,
+                stream_of(parameters, PATCHES), cell, draw, -1, y, x,
             )
         )  # fmt: skip
     return {"candidates": np.array(found, np.int32)}

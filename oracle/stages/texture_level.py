@@ -25,6 +25,9 @@ PLACES = "cut_x", "cut_y", "step_x", "step_y", "inside"
 """The tables of T that have an entry for every row and column."""
 
 
+_ANY_EXEMPLAR = -1
+
+
 class Scene(NamedTuple):
     """What the passes of a patch share."""
 
@@ -54,6 +57,7 @@ def scene_of(parameters: dict, arrays: dict) -> Scene:
         stride=stride,
         plane=valid.size,
         has_lock=int("lock" in arrays and arrays["lock"].any()),
+        has_labels=0,
         **given
         | {
             "predicate": PREDICATES.index(given["predicate"]),
@@ -64,12 +68,17 @@ def scene_of(parameters: dict, arrays: dict) -> Scene:
     empty = np.zeros((1, 1), np.int32)  # in the place of what a stage does not read
     locked = np.broadcast_to(lock, addresses.shape).astype(np.uint8)
     seams = np.empty((2, *addresses.shape), np.int32)
-    texture = Texture(addresses, *seams, locked, arrays.get("guide", empty))
+    texture = Texture(
+        addresses, *seams, locked, np.zeros((1, 1), np.uint8), arrays.get("guide", empty)
+    )
+    centres = centres_of(clearance, settings.radius)
     sources = Sources(
         colours=arrays.get("colours", np.zeros(valid.size, np.int32)),
         guide_colours=arrays.get("guide_colours", empty[0]),
         clearance=clearance.ravel(),
-        centres=centres_of(clearance, settings.radius),
+        centres=centres,
+        bounds=np.array([0, valid.size], np.int64),
+        centre_bounds=np.array([0, centres.size], np.int64),
         ring=arrays.get("ring", np.zeros((64, 2), np.int32)),
     )
     seam_maps(
@@ -105,8 +114,9 @@ def context_of(scene: Scene, y: int, x: int) -> Context:
     rooms = [np.zeros(half_width.size**2, np.int32) for _ in Context._fields[:-1]]
     context = Context(*rooms, np.zeros(half_width.size**2, np.uint8))
     read_context(
-        scene.texture, scene.sources.colours, scene.settings.stride, y, x, half_width, context
-    )
+        scene.texture, scene.sources.colours, scene.settings.stride, y, x, half_width,
+        _ANY_EXEMPLAR, context,
+    )  # fmt: skip
     return context
 
 
