@@ -93,9 +93,9 @@ def scene_of(parameters: dict, arrays: dict) -> Scene:
 
 
 def half_widths(radius):
-    """How far the disc of radius R + 1 reaches in each row of a window."""
+    """How far the disc of radius R + 1.5 reaches in each row of a window."""
     offsets = np.arange(-radius - MARGIN, radius + MARGIN + 1)
-    return np.sqrt(np.maximum((radius + 1) ** 2 - offsets**2, 0)).astype(np.int32)
+    return np.sqrt(np.maximum((2 * radius + 3) ** 2 - 4 * offsets**2, 0) // 4).astype(np.int32)
 
 
 def clearance_of(valid):

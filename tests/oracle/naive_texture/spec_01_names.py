@@ -12,7 +12,7 @@ def r10(value):
 
 def half_width(radius, v):
     """Give how far the disc reaches in a row."""
-    return math.isqrt(max((radius + 1) ** 2 - v**2, 0))
+    return math.isqrt(max((2 * radius + 3) ** 2 - 4 * v**2, 0)) // 2
 
 
 def in_disc(radius, dy, dx):
