@@ -175,7 +175,7 @@ def _hole(options) -> NDArray[np.bool_]:
         colour = "black" if options.inverted_mask else "white"
         how = "no" if not hole.any() else "nothing but"
         raise InputError(
-            f"{options.mask} has {how} {colour} pixels; mark the holes, and those alone, in {colour}",
+            f"{options.mask} has {how} {colour} pixels; mark the holes alone in {colour}",
             parameter="mask",
         )
     return hole
