@@ -82,8 +82,8 @@ def _scale(field, pictures):
     sizes = field.exemplar_sizes
     if len(pictures) != len(sizes):
         raise InputError(
-            f"the texture has {len(sizes)} exemplars, and {len(pictures)} maps were given; give a "
-            "map of each, in the same order"
+            f"exemplars of the texture: {len(sizes)}, maps that were given: {len(pictures)}; give "
+            "a list with a map of each exemplar, in the same order"
         )
     scale = max(pictures[0].shape[0] // sizes[0][0], 1)
     for k, (picture, (height, width)) in enumerate(zip(pictures, sizes, strict=True), 1):

@@ -97,7 +97,7 @@ def test_normals_at_whole_pixels_are_those_of_the_map():
 @pytest.mark.parametrize(
     ("maps", "kind", "said"),
     [
-        (EXEMPLARS[:1], "colours", "the texture has 2 exemplars, and 1 maps were given"),
+        (EXEMPLARS[:1], "colours", "exemplars of the texture: 2, maps that were given: 1"),
         (
             [EXEMPLARS[0], EXEMPLARS[1][1:]],
             "colours",
