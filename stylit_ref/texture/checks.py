@@ -144,8 +144,8 @@ def check_guides(
         raise InputError("a guide is needed for the exemplars and for the texture; one was given")
     if len(source_guides) != len(images):
         raise InputError(
-            f"exemplars: {len(images)}, guides of exemplars: {len(source_guides)}; give a list with "
-            "a guide of each exemplar"
+            f"exemplars: {len(images)}, guides of exemplars: {len(source_guides)}; give a list "
+            "with a guide of each exemplar"
         )
     target = with_channels(target_guide, "the texture's guide")
     if target.shape[:2] != size:
