@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from small_scene import small_scene
-from stylit_ref.files.bit_depth import to_linear
+from stylit_ref.files.colour.bit_depth import to_linear
 
 from data_gen.guides import LIGHT_PASSES, guide, to_uint8
 from data_gen.manifest import Manifest
