@@ -22,6 +22,9 @@ from stylit_ref.texture.formulae.deformation import power_table as powers_of
 from stylit_ref.texture.formulae.guide_cost import fixed_guide_weight
 from stylit_ref.texture.passes.candidates import ring
 
+HALVED = {"exponent": 3, "eta": 1, "split": True, "size": (13, 14)}
+"""Seams that cost so much that costs are halved."""
+
 PATCHES = {
     "plain": {},
     "one_channel": {"channels": 1, "exponent": 1, "radial_samples": 1.5},
@@ -36,11 +39,26 @@ PATCHES = {
     "quarters": {"fractions": True, "radius": 3, "images": ((6, 7),)},
     "several": {"images": ((13, 15), (10, 9)), "holes": True},
     "wide_patch": {"radius": 8, "angular_samples": 0.75, "radial_samples": 1.0, "max_jump": 3},
+    "cubed_locked": {"exponent": 3, "eta": 1, "contrast": True, "locked": True},
+    "halved": HALVED,
+    "halved_locked": HALVED | {"locked": True},
+    "halved_guided": HALVED | {"guide_weight": 10000.0},
 }  # fmt: skip
 """How the patch of each case differs from the plain one."""
 
-SHIFTED = "plain", "quarters", "locked", "wide_patch"
-"""Patches that are deformed as well."""
+LIMITS = "new_limit", "existing_limit", "hidden_limit"
+
+SHIFTED = "plain", "quarters", "locked", "wide_patch", "halved"
+"""Patches whose features are aligned as well."""
+
+RASTERED = *SHIFTED[:4], "one_channel", "ray_ends", "wraps", "thin", "several"
+"""Patches whose raster is a case; the others are drawn as the plain one is."""
+
+CHANGED = (
+    "plain", "locked", "one_channel", "cubed", "wraps", "thin", "several", "guided",
+    "locked_and_guided",
+)  # fmt: skip
+"""Patches that are written."""
 
 ITERATED = {
     "plain": {},
@@ -111,12 +129,19 @@ def _inputs():
         yield from _of_patch(name, Patch(number, **differences))
     for number, (name, differences) in enumerate(ITERATED.items()):
         yield "iteration", name, *_iteration(Patch(100 + number), **differences)
-    yield "iteration", "settled", *_iteration(_settled(), max_shift=2, prescreened=1)
+    yield "iteration", "settled", *_iteration(_settled(123), max_shift=2, prescreened=1)
     yield "iteration", "flat", *_iteration(Patch(120, flat=True))
     all_locked = Patch(121, locked=True)
     all_locked.arrays["lock"][:] = True
     yield "iteration", "all_locked", *_iteration(all_locked)
     yield "iteration", "locked", *_iteration(Patch(122, locked=True), tries=2, prescreened=1)
+    tries = {"tries": 3, "prescreened": 1}
+    yield "iteration", "halved_tries", *_iteration(Patch(171, **HALVED, locked=True), **tries)
+    # Numbers with a patch that is accepted if but one term of the predicate is forgotten.
+    after = {"predicate": "after", "max_shift": 3, "max_jump": 6, "prescreened": 1}
+    yield "iteration", "settled_after", *_iteration(_settled(208), **after)
+    after["max_jump"] = 4
+    yield "iteration", "halved_after", *_iteration(Patch(349, **HALVED, locked=True), **after)
     # Of a dozen numbers one in whose iteration a patch meets an edge that its neighbour changes.
     close = Patch(139, radius=2, size=(24, 24), radial_samples=4.0, images=((9, 9),))
     yield "iteration", "close", *_iteration(close, prescreened=1, predicate="none")
@@ -140,9 +165,9 @@ def _steep(rng):
     image = rng.integers(0, 3, (6, 8, 3), dtype=np.uint8)
     image[:, 4:] += 45
     arrays = answer("exemplars", {"radius": 1, "fractions": False}, {"image_1": image})
-    pixels = np.flatnonzero(arrays["valid"])
+    pixels = np.flatnonzero(arrays["clearance"])
     addresses = rng.choice(pixels, (9, 12)).astype(np.int32)
-    parameters = {"stride": arrays["valid"].shape[1], "eta": 400, "exponent": 3}
+    parameters = {"stride": arrays["clearance"].shape[1], "eta": 400, "exponent": 3}
     return parameters, {"addresses": addresses, "colours": arrays["colours"]}
 
 
@@ -221,16 +246,19 @@ def _of_patch(name, patch):
     chosen = {"max_jump": patch.parameters["max_jump"], "second_pass": True}
     path = answer("closed_cut", chosen, tables)["paths"][0]
     drawn = patch.only("valid", "lock", *RASTER) | {"path": path}
-    if name not in ("cubed", "printed", "guided", "locked_and_guided"):  # as others
+    if name in RASTERED:
         yield "raster", name, placed, drawn
-    patched = seen | {"patch": answer("raster", placed, drawn)["patch"]}
-    yield "change", name, placed, patched
+    if name in CHANGED:
+        patched = seen | {"patch": answer("raster", placed, drawn)["patch"]}
+        yield "change", name, placed, patched
     if name not in SHIFTED:
         return
-    shifted = placed | {"max_shift": 3, "penalty": 5}
+    shifted = placed | {"max_shift": 3, "penalty": 5, "halved": int(made["halved"])}
     aligned = patch.only("addresses", "colours", "valid", *COSTS, *BENDING, "border")
     aligned |= {"path": path}
     yield "alignment", name, shifted, aligned
+    if name not in RASTERED:
+        return
     shifts = answer("alignment", shifted, aligned)["shifts"]
     bent = drawn | patch.only(*BENDING) | {"shifts": shifts, "powers": power_table(0.5)}
     yield "raster", f"{name}_deformed", placed, bent
@@ -250,10 +278,10 @@ def _iteration(patch, **differences):
     return parameters, arrays
 
 
-def _settled():
+def _settled(number):
     """A patch over a texture after some iterations, few of whose patches are accepted."""
-    patch = Patch(123)
-    parameters, arrays = _run(123, iterations=9)
+    patch = Patch(number)
+    parameters, arrays = _run(number, iterations=9)
     size = {"height": 18, "width": 21}
     patch.arrays["addresses"] = answer("run", parameters | size, patch.pictures | arrays)[
         "addresses"
@@ -268,7 +296,7 @@ def _run(
     patch = Patch(number, images=images, channels=channels, holes=holes, size=size, radius=radius)
     rng = np.random.default_rng(number)
     parameters = {
-        name: patch.parameters[name] for name in ("radius", "max_jump", "eta", "exponent", "limit")
+        name: patch.parameters[name] for name in ("radius", "max_jump", "eta", "exponent", *LIMITS)
     } | {
         "height": size[0], "width": size[1], "seed": number, "iterations": 3, "fractions": False,
         "guide_weight": 0,

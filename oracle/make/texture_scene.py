@@ -4,7 +4,7 @@ import numpy as np
 
 from stylit_ref.texture.exemplars import make_exemplars, packed_planes
 from stylit_ref.texture.formulae.guide_cost import fixed_guide_weight
-from stylit_ref.texture.formulae.polar import cost_limit, make_polar
+from stylit_ref.texture.formulae.polar import cost_limits, make_polar
 
 PLACE = {"seed": 0x1234567890ABCDEF, "iteration": 3}
 """The point of a run whose random numbers the cases use."""
@@ -44,12 +44,14 @@ class Patch:
         self, number, images=((14, 15),), channels=3, size=(18, 21), radius=4, radial_samples=2.0,
         angular_samples=1.5, weighting="arc_length", max_jump=4, exponent=2, eta=1000,
         fractions=False, locked=False, guide_weight=0.0, holes=False, at_edge=False,
-        contrast=False, flat=False,
+        contrast=False, flat=False, split=False,
     ):  # fmt: skip
         rng = np.random.default_rng(number)
         self.pictures = pictures(rng, images, channels, holes, contrast)
         if flat:
             self.pictures["image_1"][:] = 90
+        if split:
+            self.pictures["image_1"][:] = np.where(np.arange(images[0][1]) < 7, 0, 255)[:, None]
         shown = [self.pictures[f"image_{k}"] for k in range(1, len(images) + 1)]
         known = [self.pictures[f"known_{k}"] for k in range(1, len(images) + 1)] if holes else None
         made = make_exemplars(shown, radius, known=known, fractions=fractions)
@@ -65,10 +67,9 @@ class Patch:
             "max_jump": max_jump,
             "eta": eta,
             "exponent": exponent,
-            "limit": cost_limit(polar, max_jump),
             "fractions": fractions,
             "guide_weight": fixed_guide_weight(guide_weight),
-        }
+        } | {f"{name}_limit": limit for name, limit in cost_limits(polar)._asdict().items()}
         if locked:
             self.arrays["lock"] = rng.random(size) < 0.4
         if guide_weight:

@@ -7,6 +7,7 @@ from oracle.stages.texture_level import (
     centres_of,
     context_of,
     half_widths,
+    hidden_by,
     padded_crossing,
     padded_steps,
     scene_of,
@@ -22,11 +23,7 @@ from stylit_ref.texture.passes.candidates import find_candidate
 from stylit_ref.texture.passes.cut_costs import cut_costs, end_rays, existing_seams
 from stylit_ref.texture.passes.deformation import rasterize
 from stylit_ref.texture.passes.guide_costs import guide_costs
-from stylit_ref.texture.passes.lock import (
-    free_locked_edges,
-    hidden_beside_locked,
-    hidden_by_guide,
-)
+from stylit_ref.texture.passes.lock import free_locked_edges
 from stylit_ref.texture.passes.new_seams import new_seams
 from stylit_ref.texture.passes.seam_maps import seam_maps
 from stylit_ref.texture.passes.white_noise import white_noise
@@ -66,7 +63,7 @@ def _exemplars(_, parameters, arrays):
     )  # fmt: skip
     return {
         "colours": made.colours,
-        "valid": made.clearance > 0,
+        "clearance": made.clearance,
         "centres": centres_of(made.clearance, parameters["radius"]),
     }
 
@@ -95,7 +92,7 @@ def _candidates(_, parameters, arrays):
         found.append(
             find_candidate(
                 scene.texture, scene.sources, scene.settings, context_of(scene, y, x),
-                stream_of(parameters, PATCHES), cell, draw, y, x,
+                stream_of(parameters, PATCHES), cell, draw, -1, y, x,
             )
         )  # fmt: skip
     return {"candidates": np.array(found, np.int32)}
@@ -103,33 +100,26 @@ def _candidates(_, parameters, arrays):
 
 def _costs(_, parameters, arrays):
     scene = scene_of(parameters, arrays)
-    texture, sources, polar, settings = scene
+    _, sources, polar, settings = scene
     y, x, source = (parameters[name] for name in ("y", "x", "source"))
     context, half_width = context_of(scene, y, x), polar.half_width
-    new_x, new_y = (np.zeros(half_width.size**2, np.uint16) for _ in range(2))
+    hidden, halved = hidden_by(scene, context, source, y, x)
+    new_x, new_y = (np.zeros(half_width.size**2, np.int32) for _ in range(2))
     new_seams(
         sources.colours, settings.stride, source, half_width, context, settings.eta,
-        settings.exponent, settings.limit, new_x, new_y,
+        settings.exponent, halved, settings.new_limit, new_x, new_y,
     )  # fmt: skip
-    hidden = context.seams.copy()
     if settings.has_lock:
         free_locked_edges(half_width, context, new_x, new_y)
-        hidden_beside_locked(
-            texture, sources.colours, settings, source, y, x, half_width, context, hidden
-        )
-    if settings.guide_weight:
-        hidden_by_guide(
-            texture, sources.guide_colours, settings, source, y, x, half_width, context, hidden
-        )
     rows, columns = polar.inside.shape
     saved, crossing, steps = (np.zeros((rows, columns + 2), np.int32) for _ in range(3))
     saved = saved[:, :columns].copy()
-    existing_seams(hidden, polar, saved)
+    existing_seams(hidden, polar, halved, settings.existing_limit, saved)
     edges = np.zeros((2, columns), np.int32)
     cut_costs(new_x, new_y, saved, polar, 1, edges, crossing, steps)
     end_rays(sources.clearance, settings.stride, source, polar, 1, crossing)
     tables = {"crossing": crossing[:, 1:-1].copy(), "steps": steps[:, 1:-1].copy()}
-    return tables | {"saved": saved}
+    return tables | {"saved": saved, "halved": np.int32(halved)}
 
 
 def best_cuts(passes, crossing, steps, max_jump, first_row, starts):
@@ -179,7 +169,8 @@ def _alignment(passes, parameters, arrays):
     costs, steps = (np.zeros((rows, shifts + 2), np.int32) for _ in range(2))
     alignment_costs(
         scene.sources.colours, scene.settings, parameters["source"], scene.polar, arrays["path"],
-        context_of(scene, parameters["y"], parameters["x"]), line, costs, steps,
+        context_of(scene, parameters["y"], parameters["x"]), parameters["halved"], line, costs,
+        steps,
     )  # fmt: skip
     inside = costs[None, :, 1:-1].copy()
     anywhere = np.full(1, -1, np.int32)

@@ -6,21 +6,26 @@ import numpy as np
 from scipy.ndimage import distance_transform_edt
 
 from stylit_ref.randomness.random_stream import random_stream
-from stylit_ref.texture.formulae.polar import BLOCKED, MARGIN, Polar
+from stylit_ref.texture.formulae.polar import BLOCKED, MARGIN, Polar, halvings
 from stylit_ref.texture.passes.context import Context, read_context
 from stylit_ref.texture.passes.layout import Settings, Sources, Texture
+from stylit_ref.texture.passes.lock import hidden_beside_locked, hidden_by_guide, magnitude
 from stylit_ref.texture.passes.placement import PREDICATES
 from stylit_ref.texture.passes.seam_maps import seam_maps
 
 CHOICES = {
-    "max_jump": 1, "max_shift": 0, "limit": 0, "penalty": 0, "second_pass": False, "prescreened": 1,
-    "coherence": 0, "tries": 1, "guide_weight": 0, "predicate": "exact", "fractions": False,
-    "radius": 1, "eta": 1, "exponent": 1,
+    "max_jump": 1, "max_shift": 0, "new_limit": 0, "existing_limit": 0, "hidden_limit": 0,
+    "penalty": 0, "second_pass": False, "prescreened": 1, "coherence": 0, "tries": 1,
+    "guide_weight": 0, "predicate": "exact", "fractions": False, "radius": 1, "eta": 1,
+    "exponent": 1,
 }  # fmt: skip
 """What a stage leaves alone has these values; they are of no account."""
 
 PLACES = "cut_x", "cut_y", "step_x", "step_y", "inside"
 """The tables of T that have an entry for every row and column."""
+
+
+_ANY_EXEMPLAR = -1
 
 
 class Scene(NamedTuple):
@@ -52,6 +57,7 @@ def scene_of(parameters: dict, arrays: dict) -> Scene:
         stride=stride,
         plane=valid.size,
         has_lock=int("lock" in arrays and arrays["lock"].any()),
+        has_labels=0,
         **given
         | {
             "predicate": PREDICATES.index(given["predicate"]),
@@ -62,12 +68,17 @@ def scene_of(parameters: dict, arrays: dict) -> Scene:
     empty = np.zeros((1, 1), np.int32)  # in the place of what a stage does not read
     locked = np.broadcast_to(lock, addresses.shape).astype(np.uint8)
     seams = np.empty((2, *addresses.shape), np.int32)
-    texture = Texture(addresses, *seams, locked, arrays.get("guide", empty))
+    texture = Texture(
+        addresses, *seams, locked, np.zeros((1, 1), np.uint8), arrays.get("guide", empty)
+    )
+    centres = centres_of(clearance, settings.radius)
     sources = Sources(
         colours=arrays.get("colours", np.zeros(valid.size, np.int32)),
         guide_colours=arrays.get("guide_colours", empty[0]),
         clearance=clearance.ravel(),
-        centres=centres_of(clearance, settings.radius),
+        centres=centres,
+        bounds=np.array([0, valid.size], np.int64),
+        centre_bounds=np.array([0, centres.size], np.int64),
         ring=arrays.get("ring", np.zeros((64, 2), np.int32)),
     )
     seam_maps(
@@ -82,9 +93,9 @@ def scene_of(parameters: dict, arrays: dict) -> Scene:
 
 
 def half_widths(radius):
-    """How far the disc of radius R + 1 reaches in each row of a window."""
+    """How far the disc of radius R + 1.5 reaches in each row of a window."""
     offsets = np.arange(-radius - MARGIN, radius + MARGIN + 1)
-    return np.sqrt(np.maximum((radius + 1) ** 2 - offsets**2, 0)).astype(np.int32)
+    return np.sqrt(np.maximum((2 * radius + 3) ** 2 - 4 * offsets**2, 0) // 4).astype(np.int32)
 
 
 def clearance_of(valid):
@@ -104,9 +115,23 @@ def context_of(scene: Scene, y: int, x: int) -> Context:
     context = Context(*rooms, np.zeros(half_width.size**2, np.uint8))
     read_context(
         scene.texture, scene.sources.colours, scene.settings.stride, y, x, half_width,
-        scene.settings.limit, context,
+        _ANY_EXEMPLAR, context,
     )  # fmt: skip
     return context
+
+
+def hidden_by(scene: Scene, context: Context, source: int, y: int, x: int):
+    """What each pixel of a window saves if a patch covers it, and how often costs are halved."""
+    texture, sources, polar, settings = scene
+    window = settings, source, y, x, polar.half_width, context
+    if settings.has_lock:
+        hidden = np.zeros_like(context.seams)
+        hidden_beside_locked(texture, sources.colours, *window, hidden)
+    else:
+        hidden = context.seams.copy()
+    if settings.guide_weight:
+        hidden_by_guide(texture, sources.guide_colours, *window, hidden)
+    return hidden, halvings.py_func(magnitude(hidden), settings.hidden_limit)
 
 
 def stream_of(parameters, purpose):

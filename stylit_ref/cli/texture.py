@@ -4,6 +4,7 @@ import argparse
 import sys
 from collections.abc import Callable
 from contextlib import nullcontext
+from dataclasses import replace
 from time import perf_counter
 
 import numpy as np
@@ -27,6 +28,7 @@ from stylit_ref.files.texture_field import check_texture_field_writable, write_t
 from stylit_ref.files.write_image import check_image_writable, write_image
 from stylit_ref.machine.interruption import put_off_interruptions
 from stylit_ref.machine.kernel import compile_missing
+from stylit_ref.notes import note
 from stylit_ref.texture.complete import complete_texture, make_tileable
 from stylit_ref.texture.iteration import Iteration
 from stylit_ref.texture.params import TextureParams
@@ -69,6 +71,8 @@ def run(options: argparse.Namespace) -> None:
     params = chosen_texture_params(options)
     paths = [*filter(None, [options.complete or options.tile_in_place]), *options.exemplar]
     sources = read_sources(paths)
+    if options.radius is None:
+        params = _fitted_to(params, sources)
     made, pixels = _task(options, params, sources)
     profile = read_colour_profile(paths[0])
     deep = sources[0].is_deep and holds_bits_of(
@@ -98,6 +102,19 @@ def run(options: argparse.Namespace) -> None:
             print(_told(result.history[-1], params, pixels), file=sys.stderr)
         others = filter(None, (options.save_tiled, options.save_coordinates))
         tell_finished(options.output, image, perf_counter() - start, *others)
+
+
+def _fitted_to(params: TextureParams, sources: list[Source]) -> TextureParams:
+    """The preset's radius, or the largest that fits the smallest source."""
+    height, width = min((source.colours.shape[:2] for source in sources), key=min)
+    fits = 2 * ((min(height, width) + 1) // 2) - 1
+    if params.radius <= fits:
+        return params
+    note(
+        f"is {params.radius}, but {fits} is used: an exemplar has {width} x {height} pixels",
+        parameter="radius",
+    )
+    return replace(params, radius=fits, radius_end=min(params.radius_end, fits))
 
 
 def _never():
@@ -153,7 +170,15 @@ def _labels(options) -> NDArray[np.uint8] | None:
 
 def _hole(options) -> NDArray[np.bool_]:
     white = read_mask(options.mask)
-    return ~white if options.inverted_mask else white
+    hole = ~white if options.inverted_mask else white
+    if not hole.any() or hole.all():
+        colour = "black" if options.inverted_mask else "white"
+        how = "no" if not hole.any() else "nothing but"
+        raise InputError(
+            f"{options.mask} has {how} {colour} pixels; mark the holes alone in {colour}",
+            parameter="mask",
+        )
+    return hole
 
 
 def _check_outputs(options, paths, channels):

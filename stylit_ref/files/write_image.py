@@ -117,7 +117,8 @@ def check_image_writable(path: str | Path, channels: int, depth: str = "uint8") 
     InputError
     """
     path = Path(path)
-    output = oiio.ImageOutput.create(str(path))
+    # Without a suffix OpenImageIO takes a whole name, such as png, for one.
+    output = oiio.ImageOutput.create(str(path)) if path.suffix else None
     if output is None or output.format_name() in ("null", "term"):  # these write no file
         oiio.geterror()
         raise InputError(

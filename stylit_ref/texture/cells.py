@@ -67,14 +67,15 @@ def cells_on(
         return np.empty((0, 2), np.int64)
     size = seams[0].shape
     down, across = _fitting(size, radius)
-    words = [philox4x32(k, 1, *stream) for k in range(_DRAWS * down * across)]
+    most = min(down * across, pixels.size // (2 * radius) + 1)  # of them, a line has so many
+    words = [philox4x32(k, 1, *stream) for k in range(_DRAWS * most)]
     drawn = pixels[[uniform_below(word[0], pixels.size) for word in words]]
     if words[0][1] & 1:
         costs = _costs(seams, pixels)
         worst = pixels[costs >= costs.max() / 2]
         drawn = drawn[np.argsort(-_costs(seams, drawn), kind="stable")]
         drawn[0] = worst[uniform_below(words[0][2], worst.size)]
-    cells = np.empty((down * across, 2), np.int64)
+    cells = np.empty((most, 2), np.int64)
     placed = 0
     for cell in np.stack(np.divmod(drawn, size[1]), axis=1):
         apart = np.abs(cells[:placed] - cell)

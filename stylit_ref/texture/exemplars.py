@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -77,19 +78,21 @@ class Exemplars:
         Raises
         ------
         InputError
-            If there is none.
+            If an exemplar has known pixels and none of them is one.
         """
+        for image, (first, beyond) in zip(self.images, pairwise(self.bounds), strict=True):
+            clearance = int(self.clearance.ravel()[first:beyond].max())
+            if clearance and 2 * clearance <= radius:
+                height, width = image.shape[:2]
+                raise InputError(
+                    f"is {radius}, too large for the exemplar of {width} x {height} pixels; "
+                    f"{2 * clearance - 1} is the largest that fits, since patches keep half of it "
+                    "away from borders and unknown pixels",
+                    parameter="radius",
+                )
         centres = np.flatnonzero(2 * self.clearance.astype(np.int32) > radius).astype(np.int32)
         if not centres.size:
-            fits = max(2 * int(self.clearance.max()) - 1, 0)
-            height, width = self.images[0].shape[:2]
-            sizes = f"{width} x {height} pixels" if len(self.images) == 1 else "the exemplars"
-            remedy = f"{fits} is the largest that fits" if fits else "no pixel of them is known"
-            raise InputError(
-                f"is {radius}, too large for {sizes}: a patch's centre lies more than half of it "
-                f"inside; {remedy}",
-                parameter="radius",
-            )
+            raise InputError("no pixel of the exemplars is known")
         return centres
 
     def addresses(self, coordinates: NDArray[np.int32]) -> NDArray[np.int32]:

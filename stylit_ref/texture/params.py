@@ -34,8 +34,10 @@ class TextureParams:
     eta : int
         η of M, in squared 8-bit steps.
     predicate : {"exact", "after", "before", "none"}
-        When a patch is rejected (section 6): if the cost of S would not fall; if the cost in the
-        polar table would not, after or before alignment; or never.
+        When a patch is rejected (section 6). ``before``: if its cut costs at least what it hides,
+        in the polar table, before alignment. ``exact``: if it does so, or if the cost of S would
+        not fall. ``after``: if the table says so of the patch that is left after alignment.
+        ``none``: never.
     weighting : {"arc_length", "printed"}
         How pieces of a cut are weighed (:mod:`stylit_ref.texture.formulae.polar`).
     second_pass : bool

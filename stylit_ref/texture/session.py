@@ -24,7 +24,7 @@ from stylit_ref.texture.checks import (
 )
 from stylit_ref.texture.exemplars import Exemplars, make_exemplars, packed_planes
 from stylit_ref.texture.fitting import fit, make_settings
-from stylit_ref.texture.formulae.deformation import power_table
+from stylit_ref.texture.formulae.deformation import PHASES, power_table
 from stylit_ref.texture.formulae.guide_cost import fixed_guide_weight
 from stylit_ref.texture.formulae.polar import Polar
 from stylit_ref.texture.formulae.seam_cost import ONE
@@ -120,7 +120,7 @@ class TextureSession:
         largest = self._largest_radius(height, width)
         self.seed, self.iteration = seed, 0
         self._known = known
-        self.exemplars = self._lay_out(exemplars, self.params)
+        self.exemplars = self._lay_out(exemplars, self.params, _has_fractions(self.params))
         self._source_guides, guide = check_guides(
             source_guides, target_guide, self.exemplars.images, (height, width)
         )
@@ -137,6 +137,8 @@ class TextureSession:
             begin_with_noise(addresses, self.exemplars, labels, seed)
         else:
             start = check_coordinates(start, self.exemplars.images, (height, width))
+            if (start[..., 1:] % PHASES).any() and not self.exemplars.fractions:
+                self.exemplars = self._lay_out(self.exemplars.images, self.params, True)
             addresses[:] = self.exemplars.addresses(start)
         seams = np.empty((2, height, width), np.int32)
         labels = with_free_borders(labels, free_band)
@@ -344,22 +346,22 @@ class TextureSession:
     def _largest_radius(self, height, width):
         return max(1, min(height, width) // 2)
 
-    def _lay_out(self, images, params):
-        return make_exemplars(
-            images, params.radius, known=self._known, fractions=_has_fractions(params)
-        )
+    def _lay_out(self, images, params, fractions):
+        return make_exemplars(images, params.radius, known=self._known, fractions=fractions)
 
     def _change(self, params):
-        before, self.params = self.params, params
         exemplars = self.exemplars
-        if params.radius > exemplars.largest_radius or (
-            _has_fractions(params) and not exemplars.fractions
-        ):
+        fractions = exemplars.fractions or _has_fractions(params)
+        if params.radius > exemplars.largest_radius or fractions != exemplars.fractions:
+            exemplars = self._lay_out(exemplars.images, params, fractions)
+        exemplars.centres(min(params.radius, self._largest_radius(*self.size)))  # or InputError
+        before, self.params = self.params, params
+        if exemplars is not self.exemplars:
             coordinates = self.coordinates
-            self.exemplars = self._lay_out(exemplars.images, params)
+            self.exemplars = exemplars
             self.__dict__.pop("_guide_colours", None)
             self._fit = None
-            self.texture.addresses[:] = self.exemplars.addresses(coordinates)
+            self.texture.addresses[:] = exemplars.addresses(coordinates)
         counted = "eta", "exponent", "guide_weight"
         if any(getattr(params, name) != getattr(before, name) for name in counted):
             self._count()

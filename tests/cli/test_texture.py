@@ -189,8 +189,7 @@ REFUSALS = [
     (["--exemplar", "0.png", "--size", "65536x65536"], "--size is 65536 x 65536 pixels, which"),
     (
         ["--exemplar", "0.png", "--size", "200x200", "--radius", 64],
-        "--radius is 64, too large for 48 x 48 pixels: a patch's centre lies at least half of it "
-        "inside; 47 is the largest that fits",
+        "--radius is 64, too large for the exemplar of 48 x 48 pixels; 47 is the largest that fits",
     ),
     (["--exemplar", "0.png", "--size", "20x20", "--radius", 0], "--radius is 0; it must be"),
     (["--exemplar", "0.png", "--size", "20x20", "--max-jump", 65], "--max-jump is 65; it must"),

@@ -43,7 +43,7 @@ PAGES = [
 LANGUAGES = ("sh", "python")
 NO_COMMANDS = ("text", "{toctree}", "{eval-rst}")
 RUN, DRY_RUN, RENDERS = "", "dry-run", "renders"
-NOT_RUN = ("not-run: installs packages", "not-run: needs a GPU")
+NOT_RUN = ("not-run: installs packages", "not-run: needs a GPU", "not-run: writes the cases anew")
 HELP = {
     "stylit-ref run": "stylit_ref.cli run",
     "stylit-ref texture": "stylit_ref.cli texture",

@@ -81,9 +81,44 @@ MISTAKES = {
         "return bool(0) and bool(",
         "costs",
     ),
-    "edges without a limit": ('return min(cost, self.p["limit"])', "return cost", "costs"),
+    "weights of 14 bits": ("(value + 512) >> 10", "(value + 8192) >> 14", "costs"),
+    "new edges without a limit": (
+        'return min(cost >> self.halved, self.p["new_limit"])',
+        "return cost >> self.halved",
+        "costs",
+    ),
+    "a limit before halving": (
+        'min(cost >> self.halved, self.p["new_limit"])',
+        'min(cost, self.p["new_limit"]) >> self.halved',
+        "costs",
+    ),
+    "what a pixel hides without a limit": (
+        "min(limit, hidden[p] >> self.halved)",
+        "hidden[p] >> self.halved",
+        "costs",
+    ),
+    "a limit of what is hidden, not of what is paid": (
+        "max(-limit, min(limit, hidden[p] >> self.halved))",
+        "min(limit, hidden[p] >> self.halved)",
+        "costs",
+    ),
+    "seams halved one by one": (
+        "total = sum(costs)",
+        'total = sum(min(cost, self.p["existing_limit"]) for cost in costs)',
+        "costs",
+    ),
+    "halved by a sum in place of absolute values": (
+        "sum(abs(cost) for cost in hidden.values())",
+        "sum(hidden.values())",
+        "costs",
+    ),
+    "halved by what the disc hides alone": (
+        "widest + 1, radius + 2)",
+        "widest, radius + 1)",
+        "costs",
+    ),
     "a ray that ends a column late": ("max(ended - 1, 0)", "ended", "costs"),
-    "products cut off instead of rounded": ("(value + 8192) >> 14", "value >> 14", "costs"),
+    "products cut off instead of rounded": ("(value + 512) >> 10", "value >> 10", "costs"),
     "ties to the right": (
         "= min(ways)",
         "= min(ways, key=lambda way: (way[0], -way[1]))",
@@ -102,6 +137,17 @@ MISTAKES = {
     ),
     "the smallest cut forgotten": ("if smallest < cost:", "if False:", "closed_cut"),
     "shifts the other way": ("there = (y + k) % rows", "there = (y - k) % rows", "alignment"),
+    "the colour on the cut, not inside it": (
+        'int(a["border"][path[there] + 1]) - 128',
+        'int(a["border"][path[there] + 1])',
+        "alignment",
+    ),
+    "an alignment that is not halved": ("cost >> patch.halved", "cost", "alignment"),
+    "an alignment without a limit": (
+        'min(cost >> patch.halved, p["new_limit"])',
+        "(cost >> patch.halved)",
+        "alignment",
+    ),
     "quarters of x before those of y": (
         "4 * (qy % 4) + qx % 4",
         "4 * (qx % 4) + qy % 4",
@@ -122,7 +168,15 @@ MISTAKES = {
         "        if pixels is not None:",
         "iteration",
     ),
-    "the last of several cuts": ("or cost < best[0]", "or True", "iteration"),
+    "the last of several cuts": ("or cost << patch.halved < best[0]", "or True", "iteration"),
+    "cuts compared as halved": (
+        "cost << patch.halved < best[0]",
+        "cost << 0 < best[0]",
+        "iteration",
+    ),
+    "a step of the cut that costs nothing": ("stepped + along +", "along +", "iteration"),
+    "the inside of a patch not halved": (">> patch.halved) - hides", ") - hides", "iteration"),
+    "what is hidden forgotten": ("patch.halved) - hides", "patch.halved)", "iteration"),
     "deformation whether it helps or not": ("if bent_change < changed:", "if True:", "iteration"),
 }
 

@@ -111,7 +111,7 @@ def test_every_accepted_patch_lowers_the_cost_by_itself():
 def test_deformed_patches_are_accepted_and_recounted():
     params = TextureParams(radius=12, max_deformation=16, predicate="none", candidates=1)
     session = TextureSession([stripes()], (72, 72), params)
-    deformed = sum(session.step().deformed for _ in range(6))
+    deformed = sum(session.step().deformed for _ in range(10))
     assert deformed > 5
     assert session.cost == recounted(session)
     assert (session.coordinates[..., 1:] % 4 != 0).any()

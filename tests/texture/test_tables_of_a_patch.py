@@ -3,9 +3,10 @@
 import numpy as np
 import pytest
 
-from stylit_ref.texture.formulae.polar import WEIGHTINGS, make_polar
+from stylit_ref.texture.formulae.polar import WEIGHT_BITS, WEIGHTINGS, cost_limits, make_polar
 from stylit_ref.texture.params import TextureParams
 from stylit_ref.texture.passes.context import Context, read_context
+from stylit_ref.texture.passes.cut_costs import existing_seams
 from stylit_ref.texture.passes.layout import Texture
 from stylit_ref.texture.session import TextureSession
 
@@ -56,3 +57,16 @@ def test_with_few_columns_the_running_total_equals_the_recount(samples):
     accepted = sum(session.step().accepted for _ in range(4))
     assert accepted > 0
     assert session.recount() == session.cost >= 0
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_what_a_pixel_hides_is_cut_off_at_both_ends(sign):
+    """Beside a locked pixel a patch may pay 2**25 more than it hides; products have 32 bits."""
+    polar = make_polar(4, 2.0, 1.5, "arc_length")
+    limit = cost_limits(polar).existing
+    hidden = np.full(polar.radius_at.size, sign << 25, np.int32)
+    saved = np.zeros(polar.inside.shape, np.int32)
+    existing_seams(hidden, polar, 0, limit, saved)
+    half = 1 << (WEIGHT_BITS - 1)
+    expected = np.cumsum((sign * limit * polar.area.astype(np.int64) + half) >> WEIGHT_BITS)
+    np.testing.assert_array_equal(saved, np.broadcast_to(expected, saved.shape))

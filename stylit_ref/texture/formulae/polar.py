@@ -54,7 +54,8 @@ class Polar(NamedTuple):
     cut_weight, step_weight, area : (W,) int32
         Lengths, or what is printed in their place, and areas.
     half_width : (n,) int32
-        How far the disc of radius R + 1 reaches from the middle of each row of a window.
+        How far the disc of radius R + 1.5 reaches from the middle of each row of a window: what
+        any edge of a cut may need.
     cosine, sine : (H + 1,) int32
         Of the middle of every row; the last repeats the first.
     border : (W + 1,) int32
@@ -135,7 +136,7 @@ def make_polar(radius: int, radial_samples: float, angular_samples: float, weigh
         cut_weight, step_weight = borders[0] * arc, np.full(columns, 1 / radial_samples)
     offsets = np.arange(-centre, centre + 1)
     y, x = np.meshgrid(offsets, offsets, indexing="ij")
-    chord = np.maximum((radius + 1) ** 2 - offsets**2, 0)
+    chord = np.maximum((2 * radius + 3) ** 2 - 4 * offsets**2, 0) // 4
     return Polar(
         *edges(borders, angles),
         *edges(middles, between),
@@ -163,7 +164,7 @@ class CostLimits(NamedTuple):
     new : int
         Of one edge that a cut crosses; larger ones are cut off.
     existing : int
-        Of the two edges of a pixel that a patch hides; larger ones are cut off.
+        Of the two edges of a pixel that a patch hides, of either sign; larger ones are cut off.
     hidden : int
         Of all that a patch can hide. Where there is more, as in white noise, all costs are halved
         until there is not (:func:`halvings`).

@@ -49,8 +49,8 @@ def exemplar_in_need(
 ) -> int:
     """The exemplar, from 0, that the cell around the pixel (y, x) of S is offered a patch of.
 
-    It is the one shown where seams cost most, among some pixels that are drawn: a small part that
-    is still noise would otherwise wait for a cell with its centre there.
+    It is the one wanted, or shown, where seams cost most among some pixels that are drawn: a part
+    that is still noise would otherwise wait for a cell with its centre there.
     """
     seams_x, seams_y, lock = texture.seams_x, texture.seams_y, texture.lock
     height, width = lock.shape
@@ -63,6 +63,9 @@ def exemplar_in_need(
         cost = np.int64(seams_x[there_y, there_x]) + seams_y[there_y, there_x]
         if cost > most and not lock[there_y, there_x] & LOCKED:
             most, row, column = cost, there_y, there_x
+    label = texture.labels[row, column]
+    if label:
+        return np.int64(label) - 1
     address = np.int64(texture.addresses[row, column]) % settings.plane
     exemplar = np.int64(0)
     while sources.bounds[exemplar + 1] <= address:

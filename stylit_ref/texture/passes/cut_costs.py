@@ -30,7 +30,8 @@ def existing_seams(
 ) -> None:
     """ℰ: the (H, W) int32 costs of all seams that a cut after column x would hide in row y.
 
-    Costs are halved ``halved`` times, then cut off at the limit.
+    Costs are halved ``halved`` times, then cut off at the limit, of either sign: beside locked
+    pixels a patch may pay more than it hides.
     """
     rows, columns = saved.shape
     area = polar.area
@@ -40,6 +41,7 @@ def existing_seams(
         for x in range(columns):
             seam = seams[places[x]] >> halved
             seam = seam if seam < limit else limit
+            seam = seam if seam > -limit else -limit
             total = np.int32(total + _weighted(seam, area[x]))
             row[x] = total
 

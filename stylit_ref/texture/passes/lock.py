@@ -56,6 +56,7 @@ def hidden_beside_locked(
     side = half_width.size
     centre = side // 2
     locked = context.locked
+    hidden[:] = 0
     for j in range(1, side - 1):
         row = (y + j - centre) % height
         below = (row + 1) % height

@@ -1,11 +1,33 @@
 """1. Names."""
 
+import math
+
 BLOCKED = 2**30 - 1
 
 
-def r14(value):
-    """Round a value in units of 2**-14."""
-    return (value + 8192) >> 14
+def r10(value):
+    """Round a value in units of 2**-10."""
+    return (value + 512) >> 10
+
+
+def half_width(radius, v):
+    """Give how far the disc reaches in a row."""
+    return math.isqrt(max((2 * radius + 3) ** 2 - 4 * v**2, 0)) // 2
+
+
+def in_disc(radius, dy, dx):
+    """Tell whether a place is in the disc."""
+    return abs(dy) <= radius + 1 and abs(dx) <= half_width(radius, dy)
+
+
+def reach(radius):
+    """List (dy, dx) of all places that a patch reads."""
+    places = []
+    for _, dy, dx in window(radius):
+        widest = max(half_width(radius, v) for v in (dy, max(dy - 1, -radius - 2)))
+        if abs(dx) <= min(widest + 1, radius + 2):
+            places.append((dy, dx))
+    return places
 
 
 def window(radius):

@@ -56,16 +56,18 @@ def valid_of(images, known, radius):
     return np.concatenate(bands)
 
 
+def clearance_of(valid):
+    """Give the distance to the nearest pixel that is not valid."""
+    bad = np.argwhere(~valid)
+    clearance = np.zeros(valid.shape, int)
+    for y, x in np.argwhere(valid):
+        clearance[y, x] = math.isqrt(int(((bad - (y, x)) ** 2).sum(axis=1).min()))
+    return clearance
+
+
 def centres_of(valid, radius):
     """List the addresses where a centre may lie."""
-    bad = np.argwhere(~valid)
-    centres = []
-    for address, (y, x) in enumerate(np.ndindex(valid.shape)):
-        if valid[y, x]:
-            clearance = math.isqrt(int(((bad - (y, x)) ** 2).sum(axis=1).min()))
-            if 2 * clearance > radius:
-                centres.append(address)
-    return centres
+    return np.flatnonzero(2 * clearance_of(valid) > radius).tolist()
 
 
 def numbered(arrays, name):
@@ -79,7 +81,7 @@ def stage_exemplars(p, a):
     valid = valid_of(images, numbered(a, "known"), p["radius"])
     return {
         "colours": colours_of(images, p["radius"], p["fractions"]),
-        "valid": valid,
+        "clearance": clearance_of(valid),
         "centres": centres_of(valid, p["radius"]),
     }
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from .spec_01_names import BLOCKED, offset_of, r14
+from .spec_01_names import BLOCKED, in_disc, offset_of, r10, reach
 from .spec_05_seams import guide_cost, seam, seams
 
 
@@ -39,7 +39,7 @@ class Patch:
         return seam(self.a["colours"], a, b, step, self.p["eta"], self.p["exponent"])
 
     def new_edge(self, dy, dx, down):
-        """Cost of an edge that a cut crosses."""
+        """Cost of an edge that a cut crosses, when costs are halved."""
         after = (dy + 1, dx) if down else (dy, dx + 1)
         step = self.stride if down else 1
         if self.locked(dy, dx) and self.locked(*after):
@@ -48,17 +48,17 @@ class Patch:
             cost = self.seam(self.old(dy, dx), self.new(*after), step)
         else:
             cost = self.seam(self.new(dy, dx), self.old(*after), step)
-        return min(cost, self.p["limit"])
+        return min(cost >> self.halved, self.p["new_limit"])
 
     def hides(self, dy, dx):
-        """Give what a pixel hides."""
-        limit, weight = self.p["limit"], self.p["guide_weight"]
+        """Give what a place of the reach hides."""
+        weight, inside = self.p["guide_weight"], in_disc(self.p["radius"], dy, dx)
         pixel = self.pixel(dy, dx)
         costs = int(self.a["seams_x"][pixel]), int(self.a["seams_y"][pixel])
+        total = 0
         if not self.anything_locked:
-            total = min(costs[0], limit) + min(costs[1], limit)
-        else:
-            total = 0
+            total = sum(costs)
+        elif inside:
             for down, cost in enumerate(costs):
                 after = (dy + 1, dx) if down else (dy, dx + 1)
                 step = self.stride if down else 1
@@ -70,16 +70,24 @@ class Patch:
                     total -= self.seam(self.old(dy, dx), self.new(*after), step)
                 elif second:
                     total -= self.seam(self.new(dy, dx), self.old(*after), step)
-            total = max(-2 * limit, min(2 * limit, total))
-        if weight > 0 and not self.locked(dy, dx):
+        if weight > 0 and inside and not self.locked(dy, dx):
             guides, wanted = self.a["guide_colours"], self.a["guide"][pixel]
             total += guide_cost(guides[self.old(dy, dx)], wanted, weight)
             total -= guide_cost(guides[self.new(dy, dx)], wanted, weight)
-            total = max(-2 * limit, min(2 * limit, total))
         return total
+
+    def halve(self):
+        """Find how often costs are halved, and what places hide then."""
+        hidden = {place: self.hides(*place) for place in reach(self.p["radius"])}
+        self.halved = 0
+        while sum(abs(cost) for cost in hidden.values()) >> self.halved > self.p["hidden_limit"]:
+            self.halved += 1
+        limit = self.p["existing_limit"]
+        return {p: max(-limit, min(limit, hidden[p] >> self.halved)) for p in hidden}
 
     def tables(self):
         """Fill saved, crossing and steps."""
+        hides = self.halve()
         a, radius = self.a, self.p["radius"]
         valid = a["valid"].ravel()
         rows, columns = a["inside"].shape
@@ -96,14 +104,14 @@ class Patch:
             ended = None
             for x in range(columns):
                 offset = offset_of(int(a["inside"][y, x]), radius)
-                hidden += r14(self.hides(*offset) * int(a["area"][x]))
+                hidden += r10(hides[offset] * int(a["area"][x]))
                 saved[y, x] = hidden
                 along, across = edges("cut", y, x)
-                cost = r14(along * int(a["cut_cosine"][y]) + across * int(a["cut_sine"][y]))
-                crossing[y, x] = r14(cost * int(a["cut_weight"][x])) - hidden
+                cost = r10(along * int(a["cut_cosine"][y]) + across * int(a["cut_sine"][y]))
+                crossing[y, x] = r10(cost * int(a["cut_weight"][x])) - hidden
                 along, across = edges("step", y, x)
-                cost = r14(along * int(a["step_sine"][y]) + across * int(a["step_cosine"][y]))
-                stepped += r14(cost * int(a["step_weight"][x]))
+                cost = r10(along * int(a["step_sine"][y]) + across * int(a["step_cosine"][y]))
+                stepped += r10(cost * int(a["step_weight"][x]))
                 steps[y, x] = stepped
                 if ended is None and not valid[self.new(*offset)]:
                     ended = x
@@ -114,8 +122,9 @@ class Patch:
 
 def stage_costs(p, a):
     """Do stage costs."""
-    saved, crossing, steps = Patch(p, a, p["source"], p["y"], p["x"]).tables()
-    return {"saved": saved, "crossing": crossing, "steps": steps}
+    patch = Patch(p, a, p["source"], p["y"], p["x"])
+    saved, crossing, steps = patch.tables()
+    return {"saved": saved, "crossing": crossing, "steps": steps, "halved": patch.halved}
 
 
 STAGES = {"costs": stage_costs}

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from .spec_01_names import offset_of, r14
+from .spec_01_names import offset_of, r10
 from .spec_07_costs import Patch
 from .spec_08_cut import closed_cut
 
@@ -12,7 +12,7 @@ def point(patch, radius, angle):
     cosine, sine = patch.a["cosine"], patch.a["sine"]
     row, share = angle >> 8, angle % 256
     c, s = (int(t[row]) + ((int(t[row + 1] - t[row]) * share) >> 8) for t in (cosine, sine))
-    qy, qx = (radius * s + 2**19) >> 20, (radius * c + 2**19) >> 20
+    qy, qx = (radius * s + 2**15) >> 16, (radius * c + 2**15) >> 16
     if patch.p["fractions"]:
         plane = patch.a["valid"].size
         phase = 4 * (qy % 4) + qx % 4
@@ -37,12 +37,12 @@ def alignment(patch, path):
     costs = np.zeros((rows, 2 * most + 1), int)
     for y in range(rows):
         dy, dx, step = old_pixel(patch, y, path[y])
-        weight = r14(int(a["cut_weight"][path[y]]) * int(a["cut_cosine"][y] + a["cut_sine"][y]))
+        weight = r10(int(a["cut_weight"][path[y]]) * int(a["cut_cosine"][y] + a["cut_sine"][y]))
         for k in range(-most, most + 1):
             there = (y + k) % rows
             radius = max(int(a["border"][path[there] + 1]) - 128, 0)
             cost = patch.seam(point(patch, radius, 256 * there), patch.old(dy, dx), step)
-            costs[y, k + most] = r14(min(cost, p["limit"]) * weight)
+            costs[y, k + most] = r10(min(cost >> patch.halved, p["new_limit"]) * weight)
     steps = np.tile(np.arange(2 * most + 1) * p["penalty"], (rows, 1))
     shifted, cost = closed_cut(costs, steps, 1, False)
     return costs, shifted - most, cost
@@ -51,6 +51,7 @@ def alignment(patch, path):
 def stage_alignment(p, a):
     """Do stage alignment."""
     patch = Patch(p, a, p["source"], p["y"], p["x"])
+    patch.halved = p["halved"]
     costs, shifts, cost = alignment(patch, a["path"].tolist())
     return {"costs": costs, "shifts": shifts, "cost": cost}
 

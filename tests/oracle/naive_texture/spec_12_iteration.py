@@ -1,10 +1,8 @@
 """12. An iteration, and a run."""
 
-import math
-
 import numpy as np
 
-from .spec_01_names import BLOCKED, window
+from .spec_01_names import BLOCKED, reach
 from .spec_03_exemplars import centres_of, colours_of, numbered, valid_of
 from .spec_04_random_numbers import grid, white_noise
 from .spec_05_seams import seams
@@ -20,21 +18,17 @@ UNTRIED, REJECTED, ACCEPTED, DEFORMED = range(4)
 
 def nothing_to_do(p, a, y, x):
     """Tell whether a cell is not tried."""
-    radius = p["radius"]
-    patch = Patch(p, a, 0, y, x)
-
-    def half_width(v):
-        return math.isqrt(max((radius + 1) ** 2 - v**2, 0))
-
-    pixels = []
-    for _, dy, dx in window(radius):
-        widest = max(half_width(dy), half_width(max(dy - 1, -radius - 2)))
-        if abs(dx) <= min(widest + 1, radius + 2):
-            pixels.append((dy, dx))
+    patch, pixels = Patch(p, a, 0, y, x), reach(p["radius"])
     if all(patch.locked(*pixel) for pixel in pixels):
         return True
     costs = sum(a[name][patch.pixel(*pixel)] for pixel in pixels for name in ("seams_x", "seams_y"))
     return p["guide_weight"] == 0 and p["predicate"] != "none" and costs == 0
+
+
+def across(steps, path):
+    """Cost of the steps of a cut along rays."""
+    after = [*path[1:], path[0]]
+    return sum(abs(int(steps[y, after[y]] - steps[y, path[y]])) for y in range(len(path)))
 
 
 def fit(p, a, centres, cell, y, x):
@@ -47,12 +41,14 @@ def fit(p, a, centres, cell, y, x):
         patch = Patch(p, a, source, y, x)
         saved, crossing, steps = patch.tables()
         path, cost = closed_cut(crossing, steps, p["max_jump"], p["second_pass"])
-        if best is None or cost < best[0]:
+        if cost >= BLOCKED // 2:
+            continue
+        if best is None or cost << patch.halved < best[0]:
             hides = sum(int(saved[row, path[row]]) for row in range(len(path)))
-            best = cost, patch, path, hides
-    cost, patch, path, hides = best
-    if cost >= BLOCKED // 2 or (p["predicate"] in ("before", "exact") and cost >= 0):
+            best = cost << patch.halved, patch, path, hides, across(steps, path)
+    if best is None or (p["predicate"] in ("before", "exact") and best[0] >= 0):
         return REJECTED, 0, None
+    cost, patch, path, hides, stepped = best
     outcome, pixels = ACCEPTED, raster(patch, path, None)
     changed = change(p, a, pixels, y, x)
     if p["max_shift"] > 0:
@@ -62,8 +58,9 @@ def fit(p, a, centres, cell, y, x):
         if bent_change < changed:
             outcome, pixels, changed = DEFORMED, bent, bent_change
     if p["predicate"] == "after":
-        estimate = along + inner(p, a, pixels) - hides if outcome == DEFORMED else cost
-        if estimate >= 0:
+        if outcome == DEFORMED:
+            cost = stepped + along + (inner(p, a, pixels) >> patch.halved) - hides
+        if cost >= 0:
             return REJECTED, 0, None
     if p["predicate"] == "exact" and changed >= 0:
         return REJECTED, 0, None

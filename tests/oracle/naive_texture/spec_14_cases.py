@@ -41,8 +41,8 @@ def widen(array):
 
 def type_of(stage, name):
     """Give the type of an output."""
-    if name == "valid":
-        return np.bool_
+    if name == "clearance":
+        return np.uint16
     large = name in LARGE or (stage, name) in {("guide_costs", "costs"), ("run", "totals")}
     return np.int64 if large else np.int32
 
