@@ -70,11 +70,12 @@ def _try_cuts(
             texture, sources.colours, settings.stride, places[trial, 0], places[trial, 1],
             polar.half_width, -1, context,
         )  # fmt: skip
-        halved = halvings(total, settings.hidden_limit)
-        if not hides:
-            context.seams[:] = 0
-            halved = 0
-        existing_seams(context.seams, polar, halved, settings.existing_limit, saved)
+        halved = np.int64(0)
+        if hides:
+            halved = np.int64(halvings(total, settings.hidden_limit))
+            existing_seams(context.seams, polar, halved, settings.existing_limit, saved)
+        else:
+            saved[:] = 0  # not the seams of the context, whose zeros the compiler takes for unused
         new_seams(
             sources.colours, settings.stride, source, polar.half_width, context, settings.eta,
             settings.exponent, halved, settings.new_limit, new_x, new_y,

@@ -135,7 +135,7 @@ def _performance(plan, report):
         report.table("times", times, times),
         "The paper's times are of a GTX 580, ours of the processors named above. The first "
         "iterations, from white noise, take longest. Memory is that of all arrays.",
-        report.table("stages", stages, stages),
+        report.table("stages", stages, stages.astype(str)),
         "Shares of ours are of one patch alone, each stage the least of many: the rest is reading "
         "S, writing a patch twice, with deformation and without, and what it would cost.",
         "### As R grows (15)",

@@ -18,7 +18,7 @@ def teaser_figure(plan, file):
         [(name, plan.default(name).scene.exemplar) for name in plan.exemplars],
         [("", stored(plan.default(name)).image) for name in plan.exemplars],
     ]
-    contact_sheet(rows, file, tile=220)
+    contact_sheet(rows, file, tile=180)
 
 
 def overlap_figure(aligned, plan, file):
@@ -151,4 +151,4 @@ def sheet_figure(exemplars, plan, file):
         results += [(program.name, plan.rival(name, program)) for program in plan.rivals]
         row = [(title, stored(job).image) for title, job in results]
         rows.append([(f"{name}: E", plan.default(name).scene.exemplar), *row])
-    contact_sheet(rows, file, tile=330)
+    contact_sheet(rows, file, tile=300)

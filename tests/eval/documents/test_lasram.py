@@ -73,6 +73,7 @@ def test_a_program_that_is_not_there_is_one_sentence(capsys):
 def test_no_cut_is_better_than_the_optimum_and_a_second_pass_is_never_worse(folder):
     cuts = pd.read_csv(folder / "report" / "cut_quality.csv")
     assert cuts["trials"].tolist() == [3000] + [3] * 8
+    assert (cuts.loc[cuts["laid over"] == "E zero", "optimal cut, mean"] >= 0).all()
     found = cuts[1:].groupby(["weighting", "laid over"])["approximate cut, mean"]
     assert (found.last() <= found.first()).all()
     assert (cuts["approximate cut, mean"] >= cuts["optimal cut, mean"]).all()
