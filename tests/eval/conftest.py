@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 from small_scene import small_scene
-from stylit_ref.files.colour.bit_depth import to_linear
 
 from data_gen.guides import LIGHT_PASSES, guide, to_uint8
 from data_gen.manifest import Manifest
@@ -11,6 +10,7 @@ from data_gen.multilayer_exr import read_layers, write_layers
 from data_gen.styles import STYLES, subject
 from eval.scenes import BUNDLED
 from stylit_ref import read_uint8, write_image
+from stylit_ref.files.colour.bit_depth import to_linear
 
 
 @pytest.fixture

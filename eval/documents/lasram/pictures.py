@@ -6,8 +6,10 @@ from matplotlib.figure import Figure
 from eval.documents.lasram import overlap
 from eval.documents.lasram.plan import RADII
 from eval.documents.lasram.tables import radii
+from eval.methods.texture_completion import holes
 from eval.pages.figures import contact_sheet
 from eval.runs.store import stored
+from eval.textures import load_texture
 
 
 def teaser_figure(plan, file):
@@ -16,7 +18,7 @@ def teaser_figure(plan, file):
         [(name, plan.default(name).scene.exemplar) for name in plan.exemplars],
         [("", stored(plan.default(name)).image) for name in plan.exemplars],
     ]
-    contact_sheet(rows, file, tile=220)
+    contact_sheet(rows, file, tile=180)
 
 
 def overlap_figure(aligned, plan, file):
@@ -99,9 +101,37 @@ def radius_times_figure(plan, file):
 
 
 def large_radius_figure(plan, file):
-    """Figure 16: R = 128."""
-    job = plan.large_radius("canes")
-    contact_sheet([[("E", job.scene.exemplar), ("ours, R = 128", stored(job).image)]], file, 400)
+    """Figure 16: R = 128, beside image quilting."""
+    job, rival = plan.large_radius("canes"), plan.quilting("canes")
+    row = [
+        ("E", job.scene.exemplar), ("ours, R = 128", stored(job).image),
+        ("image quilting", stored(rival).image),
+    ]  # fmt: skip
+    contact_sheet([row], file, 400)
+
+
+def completion_figure(plan, file):
+    """Figure 12: E, the mask, and what is filled where it is black, and where it is white."""
+    exemplar = plan.completed(False).scene.exemplar
+    mask = np.repeat(255 * holes(exemplar.shape[:2])[..., None], 3, axis=2).astype(np.uint8)
+    rows = [
+        [("E", exemplar), ("mask", mask)],
+        [("black filled", stored(plan.completed(True)).image),
+         ("white filled", stored(plan.completed(False)).image)],
+    ]  # fmt: skip
+    contact_sheet(rows, file, 300)
+
+
+def labels_figure(plan, file):
+    """Figure 13: several exemplars."""
+    job = plan.labelled()
+    labels = np.repeat(255 * holes(job.scene.shape)[..., None], 3, axis=2).astype(np.uint8)
+    others = load_texture(job.method.other).exemplar
+    row = [
+        ("E, black", job.scene.exemplar), ("E, white", others), ("labels", labels),
+        ("E[S]", stored(job).image),
+    ]  # fmt: skip
+    contact_sheet([row], file, 300)
 
 
 def door_figure(plan, file):
@@ -115,10 +145,10 @@ def sheet_figure(exemplars, plan, file):
     rows = []
     for name in exemplars:
         results = [
-            ("default", plan.default(name)), ("paper", plan.paper(name)),
-            ("image quilting", plan.quilting(name)),
+            ("default", plan.default(name)), ("R from 96", plan.from_large(name)),
+            ("paper", plan.paper(name)), ("image quilting", plan.quilting(name)),
         ]  # fmt: skip
         results += [(program.name, plan.rival(name, program)) for program in plan.rivals]
         row = [(title, stored(job).image) for title, job in results]
         rows.append([(f"{name}: E", plan.default(name).scene.exemplar), *row])
-    contact_sheet(rows, file, tile=380)
+    contact_sheet(rows, file, tile=300)

@@ -3,13 +3,16 @@
 from dataclasses import dataclass
 from functools import cached_property
 
+from eval.documents.lasram.cut_quality import CutQuality
 from eval.documents.lasram.printed import SIZES
 from eval.methods.image_quilting import ImageQuilting
 from eval.methods.texture import TextureSynthesis
+from eval.methods.texture_completion import LabelledTexture, TextureCompletion
 from eval.methods.texture_program import TextureProgram
 from eval.runs.complete import Task
 from eval.runs.job import Job
 from eval.textures import NINE, load_texture
+from stylit_ref.texture.formulae.polar import WEIGHTINGS
 from stylit_ref.texture.params import TextureParams
 
 METRICS = (
@@ -86,6 +89,11 @@ class Plan:
         """A run of image quilting."""
         return self._job(exemplar, ImageQuilting(), None, seed)
 
+    def from_large(self, exemplar, seed=0):
+        """Our defaults, but for R, which begins large and falls ("Automatic radius R")."""
+        params = TextureParams(radius=96, radius_step=4, radius_end=40)
+        return self._job(exemplar, TextureSynthesis("R from 96", params), None, seed)
+
     def rival(self, exemplar, program):
         """A run of another program."""
         return self._job(exemplar, program, None, 0)
@@ -151,6 +159,23 @@ class Plan:
         """Deformation that fades as γ says; no patch is rejected."""
         return self.paper("canes", f"γ = {gamma}", gamma=gamma, predicate="none", iterations=1)
 
+    def completed(self, inverted):
+        """Figure 12."""
+        name = f"completion{', inverted' if inverted else ''}"
+        return self._job("flowers", TextureCompletion(name, inverted), None, 0)
+
+    def labelled(self):
+        """Figure 13."""
+        return self._job("flowers", LabelledTexture("with bricks", "bricks"), None, 0)
+
+    def cuts(self, exemplar, weighting, hides):
+        """Cuts on an exemplar: its share of all trials."""
+        number = self.exemplars.index(exemplar)
+        share = self.preset.trials * (number + 1) // len(self.exemplars)
+        share -= self.preset.trials * number // len(self.exemplars)
+        name = f"cuts {weighting} {'with' if hides else 'without'} seams"
+        return self._job(exemplar, CutQuality(name, weighting, hides, share), None, 0)
+
     def timed(self, size, radius=64):
         """A row of the table of times, or a point of figure 15."""
         return self.paper("gravel", f"timed, R = {radius}", (size, size), radius=radius)
@@ -167,7 +192,7 @@ class Plan:
         for exemplar in self.exemplars:
             for seed in self.preset.seeds:
                 jobs += [self.default(exemplar, seed), self.quilting(exemplar, seed)]
-                jobs.append(self.paper(exemplar, seed=seed))
+                jobs += [self.paper(exemplar, seed=seed), self.from_large(exemplar, seed)]
             jobs += [self.rival(exemplar, program) for program in self.rivals]
         return [Task(job, METRICS) for job in jobs]
 
@@ -189,6 +214,7 @@ class Plan:
             jobs.append(self.falling_deformation(name))
             jobs += [self.constant_deformation(name, value) for value in (0, 32)]
         jobs += [self.large_radius("canes"), self.paper("door")]
+        jobs += [self.completed(inverted) for inverted in (False, True)] + [self.labelled()]
         jobs += [self.judged_by(predicate) for predicate in ("none", "before", "after")]
         jobs += [self.spread(gamma) for gamma in (0.25, 4)]
         jobs += [self.timed(size) for size in self.preset.sizes]
@@ -196,6 +222,12 @@ class Plan:
             self.timed(size, radius)
             for size in self.preset.sizes[:2]
             for radius in self.timed_radii
+        ]
+        jobs += [
+            self.cuts(name, weighting, hides)
+            for name in self.exemplars
+            for weighting in WEIGHTINGS
+            for hides in (False, True)
         ]
         figures = {job.key: Task(job, ("pieces",)) for job in jobs}
         return [*self.quality, *figures.values()]

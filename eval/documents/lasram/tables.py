@@ -5,7 +5,8 @@ import tracemalloc
 import numpy as np
 import pandas as pd
 
-from eval.documents.lasram.printed import TIMES
+from eval.documents.lasram.one_patch import stage_shares
+from eval.documents.lasram.printed import STAGES, TIMES
 from eval.metrics import NUMBERS
 from eval.runs.store import numbers_of, stored
 from stylit_ref.texture.params import TextureParams
@@ -46,6 +47,26 @@ def times(plan):
     return TIMES.merge(pd.DataFrame(rows), on="size of S")
 
 
+def stages(plan):
+    """The shares of the paper's four stages in the time of one patch, late in the synthesis.
+
+    Returns
+    -------
+    pandas.DataFrame
+    """
+    rows, params = [], TextureParams.preset("paper")
+    for size in plan.preset.sizes:
+        job = plan.timed(size)
+        session = TextureSession(
+            [job.scene.exemplar], (size, size), params, start=stored(job).coordinates
+        )
+        shares = stage_shares(session).items()
+        rows.append(
+            {"size of S": size} | {f"ours, {stage}": round(share, 2) for stage, share in shares}
+        )
+    return STAGES.merge(pd.DataFrame(rows), on="size of S")
+
+
 def memory(plan, size):
     """Most MB of arrays while a session of the paper's settings is made and steps once."""
     exemplar = plan.timed(size).scene.exemplar
@@ -83,7 +104,8 @@ def quality(plan):
     rows = []
     for exemplar in plan.exemplars:
         ours = [
-            ("default", plan.default), ("paper", lambda name, seed: plan.paper(name, seed=seed)),
+            ("default", plan.default), ("R from 96", plan.from_large),
+            ("paper", lambda name, seed: plan.paper(name, seed=seed)),
             ("image quilting", plan.quilting),
         ]  # fmt: skip
         jobs = {name: [make(exemplar, seed) for seed in plan.preset.seeds] for name, make in ours}
@@ -107,13 +129,15 @@ def formatted(table):
     return text
 
 
-def beside_quilting(table):
-    """Our defaults over image quilting, and whether the bounds hold.
+def beside_quilting(table, method="default"):
+    """A method of ours over image quilting, and whether the bounds hold.
 
     Parameters
     ----------
     table : pandas.DataFrame
         From :func:`quality`.
+    method : str
+        Its name in the table.
 
     Returns
     -------
@@ -121,8 +145,7 @@ def beside_quilting(table):
         A row for each exemplar.
     """
     ours, theirs = (
-        table[table["method"] == method].set_index("exemplar")
-        for method in ("default", "image quilting")
+        table[table["method"] == name].set_index("exemplar") for name in (method, "image quilting")
     )
     found = pd.DataFrame(
         {
