@@ -27,6 +27,7 @@ include_patterns = [
     "notebooks/*.py",
     "notebooks/README.md",
     "oracle/SPEC.md",
+    "oracle/texture/SPEC.md",
     "README.md",
     "CHANGELOG.md",
     "reports/README.md",
