@@ -75,7 +75,7 @@ def _try_cuts(
             halved = np.int64(halvings(total, settings.hidden_limit))
             existing_seams(context.seams, polar, halved, settings.existing_limit, saved)
         else:
-            saved[:] = 0  # not the seams of the context, whose zeros the compiler takes for unused
+            saved[:] = 0
         new_seams(
             sources.colours, settings.stride, source, polar.half_width, context, settings.eta,
             settings.exponent, halved, settings.new_limit, new_x, new_y,

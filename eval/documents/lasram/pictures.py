@@ -18,7 +18,7 @@ def teaser_figure(plan, file):
         [(name, plan.default(name).scene.exemplar) for name in plan.exemplars],
         [("", stored(plan.default(name)).image) for name in plan.exemplars],
     ]
-    contact_sheet(rows, file, tile=180)
+    contact_sheet(rows, file, tile=165)
 
 
 def overlap_figure(aligned, plan, file):
