@@ -1,7 +1,5 @@
 """Ebsynth (Jamriška 2018), if its program is installed; it reads and writes files."""
 
-import hashlib
-import shutil
 import subprocess
 import tempfile
 import time
@@ -9,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from eval.device import processor
+from eval.methods.foreign_program import digest_of, find_program
 from eval.outcome import Outcome
 from stylit_ref import InputError, Params, read_image, read_uint8, write_image
 
@@ -51,7 +50,7 @@ class Ebsynth:
     @property
     def code(self):
         """Digest of the binary."""
-        return hashlib.sha256(Path(self.binary).read_bytes()).hexdigest()
+        return digest_of(self.binary)
 
     @property
     def device(self):
@@ -67,12 +66,7 @@ class Ebsynth:
         InputError
             If it cannot be started.
         """
-        found = shutil.which(self.program)
-        if not found:
-            raise InputError(
-                f"{self.program}: is not a program that can be started; give the path of ebsynth"
-            )
-        return found
+        return find_program(self.program, "ebsynth")
 
     def command(self, style, guides, output):
         """The command line, with weights that give the same metric as ours.

@@ -1,7 +1,5 @@
 """Other programs for texture synthesis, if they are installed; they read and write files."""
 
-import hashlib
-import shutil
 import subprocess
 import tempfile
 import time
@@ -9,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from eval.device import processor
+from eval.methods.foreign_program import digest_of, find_program
 from eval.outcome import Outcome
 from stylit_ref import InputError, read_uint8, write_image
 
@@ -37,7 +36,7 @@ class TextureProgram:
     @property
     def code(self):
         """Digest of the binary."""
-        return hashlib.sha256(Path(self.binary).read_bytes()).hexdigest()
+        return digest_of(self.binary)
 
     @property
     def device(self):
@@ -53,13 +52,7 @@ class TextureProgram:
         InputError
             If it cannot be started.
         """
-        found = shutil.which(self.program)
-        if not found:
-            raise InputError(
-                f"{self.program}: is not a program that can be started; give the path of "
-                f"{self.name}"
-            )
-        return found
+        return find_program(self.program, self.name)
 
     def run(self, texture, seed, progress=None):
         """Synthesize a texture.

@@ -3,14 +3,13 @@
 import logging
 from collections.abc import Sequence
 from dataclasses import replace
-from numbers import Integral
 from os import PathLike
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stylit_ref.arrays import as_array
-from stylit_ref.errors import InputError, shown
+from stylit_ref.errors import InputError
 from stylit_ref.formulae.patch_penalization import omega_best
 from stylit_ref.metric.lower_bound import BOUND_SCALE
 from stylit_ref.metric.packing import ONE, Packing, occurrence_weight
@@ -241,14 +240,6 @@ def check_nnf(
             f"must hold source centres from {[radius, radius]} to {last.tolist()} where the target "
             "is synthesized, and -1 elsewhere",
             parameter="nnf",
-        )
-
-
-def check_seed(seed: int) -> None:
-    """A seed is 64 bits."""
-    if not isinstance(seed, Integral) or not 0 <= seed < 1 << 64:
-        raise InputError(
-            f"is {shown(seed)}; it must be an integer from 0 to 2**64 - 1", parameter="seed"
         )
 
 

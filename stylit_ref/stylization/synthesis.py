@@ -8,7 +8,8 @@ from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
 from stylit_ref.randomness.random_stream import RANDOM_NNF, random_stream
-from stylit_ref.stylization.checks import check_halves, check_nnf, check_seed, most_levels
+from stylit_ref.randomness.seed import check_seed
+from stylit_ref.stylization.checks import check_halves, check_nnf, most_levels
 from stylit_ref.stylization.exemplar import Exemplar
 from stylit_ref.stylization.level import Level
 from stylit_ref.stylization.params import ALL, Params

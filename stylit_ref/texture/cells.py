@@ -11,6 +11,11 @@ _DRAWS = 6
 """Draws for each cell that would fit, when cells are placed on some pixels alone."""
 
 
+def largest_radius(size: tuple[int, int]) -> int:
+    """The largest R of which one cell fits a texture of this height and width."""
+    return max(1, min(size) // 2)
+
+
 def grid_cells(size: tuple[int, int], radius: int, stream: FourWords) -> NDArray[np.int64]:
     """Centres (y, x) of a grid of cells over the whole texture, placed at random.
 

@@ -18,14 +18,6 @@ _BYTES_A_PIXEL = 24
 """Of a texture: its address, two seams, a patch on top, its colours."""
 
 
-def check_seed(seed: int) -> None:
-    """Raise InputError unless a seed is an integer from 0 to 2**64 - 1."""
-    if not isinstance(seed, Integral) or not 0 <= seed < 1 << 64:
-        raise InputError(
-            f"is {shown(seed)}; it must be an integer from 0 to 2**64 - 1", parameter="seed"
-        )
-
-
 def check_size(size: tuple[int, int]) -> tuple[int, int]:
     """The height and width of a texture, or InputError."""
     try:

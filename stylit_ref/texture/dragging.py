@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError, shown
+from stylit_ref.texture.cells import largest_radius
 from stylit_ref.texture.checks import check_exemplar
 from stylit_ref.texture.formulae.deformation import power_table
 from stylit_ref.texture.passes.dragged_patch import fit_dragged, write_dragged
@@ -72,7 +73,7 @@ def drag(
     exemplar, from_y, from_x = source
     number = check_exemplar(exemplar, session.exemplars.images) - 1
     height, width = session.exemplars.images[number].shape[:2]
-    radius = min(session.params.radius, max(1, min(session.size) // 2))
+    radius = min(session.params.radius, largest_radius(session.size))
     if not isinstance(least_radius, Integral) or not 0 <= least_radius <= radius:
         raise InputError(
             f"is {shown(least_radius)}; it must be an integer from 0 to the radius {radius}",

@@ -10,8 +10,9 @@ from numpy.typing import NDArray
 
 from stylit_ref.notes import note
 from stylit_ref.randomness.random_stream import GRID, PATCHES, WHITE_NOISE, random_stream
+from stylit_ref.randomness.seed import check_seed
 from stylit_ref.texture.beginning import begin_with_noise, noise_of
-from stylit_ref.texture.cells import cells_on, grid_cells
+from stylit_ref.texture.cells import cells_on, grid_cells, largest_radius
 from stylit_ref.texture.checks import (
     check_coordinates,
     check_exemplar,
@@ -19,7 +20,6 @@ from stylit_ref.texture.checks import (
     check_labels,
     check_lock,
     check_memory,
-    check_seed,
     check_size,
 )
 from stylit_ref.texture.exemplars import Exemplars, make_exemplars, packed_planes
@@ -117,7 +117,7 @@ class TextureSession:
         height, width = check_size(size)
         check_memory((height, width))
         self.params = TextureParams() if params is None else params
-        largest = self._largest_radius(height, width)
+        largest = largest_radius((height, width))
         self.seed, self.iteration = seed, 0
         self._known = known
         self.exemplars = self._lay_out(exemplars, self.params, _has_fractions(self.params))
@@ -273,7 +273,7 @@ class TextureSession:
         Offered
         """
         params = self.params
-        radius = min(params.radius_at(self.iteration), self._largest_radius(*self.size))
+        radius = min(params.radius_at(self.iteration), largest_radius(self.size))
         polar, sources, settings = self.fitted(radius)
         settings = settings._replace(predicate=PREDICATES.index(predicate))
         cells = self._cells(radius)
@@ -343,9 +343,6 @@ class TextureSession:
             guide_costs(texture.addresses, self._guide_colours, texture.guide, weight, costs)
             self.cost += int(costs.sum())
 
-    def _largest_radius(self, height, width):
-        return max(1, min(height, width) // 2)
-
     def _lay_out(self, images, params, fractions):
         return make_exemplars(images, params.radius, known=self._known, fractions=fractions)
 
@@ -354,7 +351,7 @@ class TextureSession:
         fractions = exemplars.fractions or _has_fractions(params)
         if params.radius > exemplars.largest_radius or fractions != exemplars.fractions:
             exemplars = self._lay_out(exemplars.images, params, fractions)
-        exemplars.centres(min(params.radius, self._largest_radius(*self.size)))  # or InputError
+        exemplars.centres(min(params.radius, largest_radius(self.size)))  # or InputError
         before, self.params = self.params, params
         if exemplars is not self.exemplars:
             coordinates = self.coordinates
