@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stylit_ref.texture.exemplars import Exemplars
-from stylit_ref.texture.formulae.polar import Polar, cost_limits, make_polar
+from stylit_ref.texture.formulae.polar import CostLimits, Polar, cost_limits, make_polar
 from stylit_ref.texture.params import TextureParams
 from stylit_ref.texture.passes.candidates import ring
 from stylit_ref.texture.passes.layout import Settings, Sources
@@ -19,6 +19,7 @@ class Fitted:
 
     key: tuple[int, float, float, str]
     polar: Polar
+    limits: CostLimits
     sources: Sources
 
 
@@ -46,13 +47,14 @@ def fit(
         centre_bounds=np.searchsorted(centres, exemplars.bounds),
         ring=ring(radius),
     )
-    return Fitted(key, make_polar(*key), sources)
+    polar = make_polar(*key)
+    return Fitted(key, polar, cost_limits(polar), sources)
 
 
 def make_settings(
     params: TextureParams,
     exemplars: Exemplars,
-    polar: Polar,
+    limits: CostLimits,
     radius: int,
     shift: int,
     *,
@@ -61,7 +63,6 @@ def make_settings(
     guide_weight: int,
 ) -> Settings:
     """The numbers of an iteration with patches of ``radius`` and deformations up to ``shift``."""
-    limits = cost_limits(polar)
     return Settings(
         stride=exemplars.stride,
         plane=exemplars.plane,

@@ -295,7 +295,7 @@ class TextureSession:
             self._fit = fit(self.exemplars, self._guide_colours, key)
         polar = self._fit.polar
         settings = make_settings(
-            params, self.exemplars, polar, radius,
+            params, self.exemplars, self._fit.limits, radius,
             min(params.deformation_at(self.iteration), polar.cosine.size // 4),
             has_lock=self._has_lock, has_labels=self.texture.labels.size > 1,
             guide_weight=self._guide_weight(),

@@ -10,6 +10,8 @@ a table over the ratio in steps of 1/4096; quotients of integers are rounded dow
 of a row is C of the nearest one. D is held as the shift D[y] - y, which is the short way round.
 """
 
+from functools import lru_cache
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -24,6 +26,7 @@ _POSITION_BITS = 8 + WEIGHT_BITS - 2
 """Fractional bits of a radius times a cosine that are not those of a quarter pixel."""
 
 
+@lru_cache(maxsize=4)
 def power_table(gamma: float) -> NDArray[np.int32]:
     """(k / 4096) ** γ for k = 0 to 4096, times 4096, rounded half up."""
     ratios = np.arange((1 << _RATIO_BITS) + 1) / (1 << _RATIO_BITS)

@@ -23,45 +23,76 @@ def cost_change(
 
     Summed over all pixels that change and their edges; the sum is exact.
     """
-    addresses, seams_x, seams_y = texture.addresses, texture.seams_x, texture.seams_y
+    before, after = costs_of_change(texture, sources, settings, y, x, half_width, patch)
+    return after - before
+
+
+@subroutine
+def costs_of_change(
+    texture: Texture,
+    sources: Sources,
+    settings: Settings,
+    y: int,
+    x: int,
+    half_width: NDArray[np.int32],
+    patch: NDArray[np.int32],
+) -> tuple[int, int]:
+    """What all pixels that a patch changes and their edges cost before it is written, and after."""
+    before, after = np.int64(0), np.int64(0)
+    for j in range(1, half_width.size - 1):
+        row_before, row_after = costs_of_row(texture, sources, settings, y, x, half_width, patch, j)
+        before += row_before
+        after += row_after
+    return before, after
+
+
+@subroutine
+def costs_of_row(
+    texture: Texture,
+    sources: Sources,
+    settings: Settings,
+    y: int,
+    x: int,
+    half_width: NDArray[np.int32],
+    patch: NDArray[np.int32],
+    j: int,
+) -> tuple[int, int]:
+    """The share of row ``j`` of the window; of the patch, this row and the next are read."""
+    height, width = texture.addresses.shape
+    row = (y + j - half_width.size // 2) % height
+    below = row + 1 if row + 1 < height else 0
+    addresses, addresses_below = texture.addresses[row], texture.addresses[below]
+    seams_x, seams_y = texture.seams_x[row], texture.seams_y[row]
     colours, stride = sources.colours, settings.stride
     eta, exponent = settings.eta, settings.exponent
-    height, width = addresses.shape
     side = half_width.size
     centre = side // 2
     # In a texture one pixel high every pixel is its own neighbour below; so it is with the width.
     to_right, to_below = (1 if width > 1 else 0), (side if height > 1 else 0)
-    change = np.int64(0)
-    for j in range(1, side - 1):
-        row = (y + j - centre) % height
-        below = row + 1 if row + 1 < height else 0
-        reach = min(half_width[j] + 1, centre - 1)
-        for i in range(centre - reach, centre + reach + 1):
-            place = j * side + i
-            new, new_right, new_below = (
-                patch[place],
-                patch[place + to_right],
-                patch[place + to_below],
-            )
-            if new < 0 and new_right < 0 and new_below < 0:
-                continue
-            column = (x + i - centre) % width
-            here = new if new >= 0 else addresses[row, column]
+    before, after = np.int64(0), np.int64(0)
+    reach = min(half_width[j] + 1, centre - 1)
+    column = (x - reach) % width
+    first = j * side + centre - reach
+    for place in range(first, first + 2 * reach + 1):
+        new, new_right, new_below = patch[place], patch[place + to_right], patch[place + to_below]
+        right = column + 1 if column + 1 < width else 0
+        if new >= 0 or new_right >= 0 or new_below >= 0:
+            here = new if new >= 0 else addresses[column]
             if settings.guide_weight and new >= 0:
                 wanted, shown = texture.guide[row, column], sources.guide_colours
-                change += guide_cost(shown[new], wanted, settings.guide_weight)
-                change -= guide_cost(shown[addresses[row, column]], wanted, settings.guide_weight)
+                before += guide_cost(shown[addresses[column]], wanted, settings.guide_weight)
+                after += guide_cost(shown[new], wanted, settings.guide_weight)
             free = texture.lock[row, column] if settings.has_lock else np.uint8(0)
             if (new >= 0 or new_right >= 0) and not free & FREE_RIGHT:
-                right = column + 1 if column + 1 < width else 0
-                there = new_right if new_right >= 0 else addresses[row, right]
-                cost = edge_cost(colours, here, there, 1, eta, exponent)
-                change += np.int64(cost) - seams_x[row, column]
+                there = new_right if new_right >= 0 else addresses[right]
+                before += seams_x[column]
+                after += edge_cost(colours, here, there, 1, eta, exponent)
             if (new >= 0 or new_below >= 0) and not free & FREE_BELOW:
-                there = new_below if new_below >= 0 else addresses[below, column]
-                cost = edge_cost(colours, here, there, stride, eta, exponent)
-                change += np.int64(cost) - seams_y[row, column]
-    return change
+                there = new_below if new_below >= 0 else addresses_below[column]
+                before += seams_y[column]
+                after += edge_cost(colours, here, there, stride, eta, exponent)
+        column = right
+    return before, after
 
 
 @subroutine
@@ -104,20 +135,25 @@ def write_patch(
     to_right, to_below = (1 if width > 1 else 0), (side if height > 1 else 0)
     for j in range(1, side - 1):
         row = (y + j - centre) % height
-        for i in range(1, side - 1):
-            if patch[j * side + i] >= 0:
-                addresses[row, (x + i - centre) % width] = patch[j * side + i]
+        reach = min(half_width[j] + 1, centre - 1)
+        column = (x - reach) % width
+        first = j * side + centre - reach
+        for place in range(first, first + 2 * reach + 1):
+            if patch[place] >= 0:
+                addresses[row, column] = patch[place]
+            column = column + 1 if column + 1 < width else 0
     for j in range(1, side - 1):
         row = (y + j - centre) % height
         below = row + 1 if row + 1 < height else 0
-        for i in range(1, side - 1):
-            place = j * side + i
-            column = (x + i - centre) % width
+        reach = min(half_width[j] + 1, centre - 1)
+        column = (x - reach) % width
+        first = j * side + centre - reach
+        for place in range(first, first + 2 * reach + 1):
+            right = column + 1 if column + 1 < width else 0
             free = texture.lock[row, column] if settings.has_lock else np.uint8(0)
             # The edges of a pixel beside the patch may be those of the next patch, too: each of
             # the two is written only if it is one of this patch.
             if (patch[place] >= 0 or patch[place + to_right] >= 0) and not free & FREE_RIGHT:
-                right = column + 1 if column + 1 < width else 0
                 seams_x[row, column] = edge_cost(
                     colours, addresses[row, column], addresses[row, right], 1, eta, exponent
                 )
@@ -126,3 +162,4 @@ def write_patch(
                     colours, addresses[row, column], addresses[below, column], stride, eta,
                     exponent,
                 )  # fmt: skip
+            column = right

@@ -8,13 +8,14 @@ from stylit_ref.machine.inlined import subroutine
 from stylit_ref.machine.kernel import kernel
 from stylit_ref.randomness.philox import FourWords
 from stylit_ref.texture.formulae.polar import BLOCKED, MARGIN, Polar, halvings
-from stylit_ref.texture.passes.acceptance import cost_change, inner_cost, write_patch
+from stylit_ref.texture.passes.acceptance import costs_of_change, inner_cost, write_patch
 from stylit_ref.texture.passes.alignment import alignment_costs
 from stylit_ref.texture.passes.candidates import exemplar_in_need, find_candidate
 from stylit_ref.texture.passes.context import Context, read_context
 from stylit_ref.texture.passes.cut import accumulate, closed_path
 from stylit_ref.texture.passes.cut_costs import cut_costs, end_rays, existing_seams
 from stylit_ref.texture.passes.deformation import rasterize
+from stylit_ref.texture.passes.deformed_patch import TOO_DEAR, deformed_change
 from stylit_ref.texture.passes.layout import Settings, Sources, Texture, Workspace
 from stylit_ref.texture.passes.lock import (
     free_locked_edges,
@@ -206,17 +207,19 @@ def fit_patch(
     if settings.predicate == _AFTER and cost >= 0 and aligned >= hides:
         return REJECTED, np.int64(0)  # whatever the deformation costs inside
 
-    clearance = sources.clearance
-    rasterize(source, settings, polar, path, shifts, powers, False, clearance, context, patch)
-    change = cost_change(texture, sources, settings, y, x, half_width, patch)
-    outcome = ACCEPTED
+    whole = rasterize(
+        source, settings, polar, path, shifts, powers, False, sources.clearance, context, patch
+    )
+    before, after = costs_of_change(texture, sources, settings, y, x, half_width, patch)
+    change, outcome = after - before, ACCEPTED
     if settings.max_shift:
-        rasterize(
-            source, settings, polar, path, shifts, powers, True, clearance, context, other_patch
-        )
-        deformed_change = cost_change(texture, sources, settings, y, x, half_width, other_patch)
-        if deformed_change < change:
-            change, outcome = deformed_change, DEFORMED
+        most = after if whole else np.int64(TOO_DEAR)
+        deformed = deformed_change(
+            texture, sources, settings, polar, y, x, source, path, shifts, powers, context, most,
+            other_patch,
+        )  # fmt: skip
+        if deformed < change:
+            change, outcome = deformed, DEFORMED
             patch[:] = other_patch
     if settings.predicate == _AFTER:
         if outcome == DEFORMED:
