@@ -165,7 +165,7 @@ def _closed_cut(passes, parameters, arrays):
 def _alignment(passes, parameters, arrays):
     scene = scene_of(parameters, arrays)
     rows, shifts = arrays["path"].size, 2 * parameters["max_shift"] + 1
-    line = np.zeros((5, rows + shifts - 1), np.int32)
+    line = np.zeros((9, rows + shifts - 1), np.int32)
     costs, steps = (np.zeros((rows, shifts + 2), np.int32) for _ in range(2))
     alignment_costs(
         scene.sources.colours, scene.settings, parameters["source"], scene.polar, arrays["path"],

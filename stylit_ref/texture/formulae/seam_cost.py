@@ -47,11 +47,25 @@ def seam_cost(
     here: int, after_here: int, there: int, before_there: int, eta: int, exponent: int
 ) -> int:
     """M between the pixels ``here`` = E[a] and ``there`` = E[b], given E[a + δ] and E[b - δ]."""
+    contrast = np.int32(squared_distance(here, after_here) + squared_distance(there, before_there))
+    return cost_beside(here, after_here, there, before_there, contrast, eta, exponent)
+
+
+@inlined
+def cost_beside(
+    here: int,
+    after_here: int,
+    there: int,
+    before_there: int,
+    contrast: int,
+    eta: int,
+    exponent: int,
+) -> int:
+    """M, where ``contrast`` = |E[a] - E[a + δ]|² + |E[b] - E[b - δ]|² is known."""
     differences = np.int32(
         squared_distance(here, before_there) + squared_distance(there, after_here)
     )
-    gradients = np.int32(squared_distance(here, after_here) + squared_distance(there, before_there))
-    quotient = np.float32(differences) / np.float32(np.int32(eta + gradients))
+    quotient = np.float32(differences) / np.float32(np.int32(eta + contrast))
     square = np.float32(quotient * quotient)
     power = (
         square if exponent == 2 else quotient if exponent == 1 else np.float32(square * quotient)

@@ -59,39 +59,53 @@ def costs_of_row(
 ) -> tuple[int, int]:
     """The share of row ``j`` of the window; of the patch, this row and the next are read."""
     height, width = texture.addresses.shape
-    row = (y + j - half_width.size // 2) % height
-    below = row + 1 if row + 1 < height else 0
-    addresses, addresses_below = texture.addresses[row], texture.addresses[below]
-    seams_x, seams_y = texture.seams_x[row], texture.seams_y[row]
-    colours, stride = sources.colours, settings.stride
-    eta, exponent = settings.eta, settings.exponent
     side = half_width.size
     centre = side // 2
+    row = (y + j - centre) % height
+    below = row + 1 if row + 1 < height else 0
+    colours, stride = sources.colours, settings.stride
+    eta, exponent = settings.eta, settings.exponent
     # In a texture one pixel high every pixel is its own neighbour below; so it is with the width.
     to_right, to_below = (1 if width > 1 else 0), (side if height > 1 else 0)
-    before, after = np.int64(0), np.int64(0)
     reach = min(half_width[j] + 1, centre - 1)
+    place, end = j * side + centre - reach, j * side + centre + reach + 1
     column = (x - reach) % width
-    first = j * side + centre - reach
-    for place in range(first, first + 2 * reach + 1):
-        new, new_right, new_below = patch[place], patch[place + to_right], patch[place + to_below]
-        right = column + 1 if column + 1 < width else 0
-        if new >= 0 or new_right >= 0 or new_below >= 0:
-            here = new if new >= 0 else addresses[column]
-            if settings.guide_weight and new >= 0:
-                wanted, shown = texture.guide[row, column], sources.guide_colours
-                before += guide_cost(shown[addresses[column]], wanted, settings.guide_weight)
-                after += guide_cost(shown[new], wanted, settings.guide_weight)
-            free = texture.lock[row, column] if settings.has_lock else np.uint8(0)
-            if (new >= 0 or new_right >= 0) and not free & FREE_RIGHT:
-                there = new_right if new_right >= 0 else addresses[right]
-                before += seams_x[column]
-                after += edge_cost(colours, here, there, 1, eta, exponent)
-            if (new >= 0 or new_below >= 0) and not free & FREE_BELOW:
-                there = new_below if new_below >= 0 else addresses_below[column]
-                before += seams_y[column]
-                after += edge_cost(colours, here, there, stride, eta, exponent)
-        column = right
+    before, after = np.int64(0), np.int64(0)
+    while place < end:  # up to the last column of S at a time
+        run = min(end - place, width - column)
+        stretch = slice(column, column + run)
+        here, new = texture.addresses[row, stretch], patch[place : place + run]
+        new_right = patch[place + to_right : place + to_right + run]
+        new_below = patch[place + to_below : place + to_below + run]
+        seams_x, seams_y = texture.seams_x[row, stretch], texture.seams_y[row, stretch]
+        lock = texture.lock[row, stretch]
+        # Without a branch, for vector instructions; a & b is negative if both are OUTSIDE.
+        for i in range(run):
+            cost_x, cost_y, free = np.int64(seams_x[i]), np.int64(seams_y[i]), lock[i]
+            stays_x = (new[i] & new_right[i]) < 0 or free & FREE_RIGHT != 0
+            stays_y = (new[i] & new_below[i]) < 0 or free & FREE_BELOW != 0
+            before += (0 if stays_x else cost_x) + (0 if stays_y else cost_y)
+        for i in range(run):
+            a, right, down = new[i], new_right[i], new_below[i]
+            if a < 0 and right < 0 and down < 0:
+                continue
+            if settings.guide_weight and a >= 0:
+                wanted, shown = texture.guide[row, column + i], sources.guide_colours
+                before += guide_cost(shown[here[i]], wanted, settings.guide_weight)
+                after += guide_cost(shown[a], wanted, settings.guide_weight)
+            if a >= 0 and right == a + 1 and down == a + stride:
+                continue  # a piece of the exemplar goes on
+            free = lock[i]
+            old_or_new = a if a >= 0 else here[i]
+            if (a >= 0 or right >= 0) and not free & FREE_RIGHT:
+                after_x = column + i + 1 if column + i + 1 < width else 0
+                there = right if right >= 0 else texture.addresses[row, after_x]
+                after += edge_cost(colours, old_or_new, there, 1, eta, exponent)
+            if (a >= 0 or down >= 0) and not free & FREE_BELOW:
+                there = down if down >= 0 else texture.addresses[below, column + i]
+                after += edge_cost(colours, old_or_new, there, stride, eta, exponent)
+        place += run
+        column = 0
     return before, after
 
 

@@ -6,7 +6,7 @@ from numpy.typing import NDArray
 from stylit_ref.machine.inlined import subroutine
 from stylit_ref.texture.formulae.deformation import address_at, position
 from stylit_ref.texture.formulae.polar import BLOCKED, WEIGHT_BITS, Polar
-from stylit_ref.texture.formulae.seam_cost import seam_cost
+from stylit_ref.texture.formulae.seam_cost import cost_beside, squared_distance
 from stylit_ref.texture.passes.context import Context
 from stylit_ref.texture.passes.layout import Settings
 
@@ -44,8 +44,9 @@ def alignment_costs(
     context : Context
     halved : int
         How often costs are halved.
-    line : (5, H + 2 D_max) int32
-        Room for the colours along the cut and of their neighbours.
+    line : (9, H + 2 D_max) int32
+        Room for the colours along the cut, of their four neighbours, and the squared distances to
+        these.
     costs, steps : (H, 2 D_max + 3) int32
         Receive M_D, with a blocked column on either side, and the running sums of the penalty: the
         tables of a cut with a largest jump of 1.
@@ -56,16 +57,24 @@ def alignment_costs(
     shifts = padded - 2
     most = shifts // 2
     side = polar.half_width.size
-    for e in range(rows + 2 * most):
-        y = (e - most) % rows
+    for y in range(rows):
         radius = max(polar.border[path[y] + 1] - 128, 0)
         quarter_y, quarter_x = position(radius, y << 8, polar.cosine, polar.sine)
         a = address_at(source, quarter_y, quarter_x, stride, plane, fractions)
+        e = y + most
         line[0, e] = colours[a]
         line[1, e] = colours[a + 1]
         line[2, e] = colours[a - 1]
         line[3, e] = colours[a + stride]
         line[4, e] = colours[a - stride]
+    for beside in range(1, 5):
+        inside, outside, contrast = line[0], line[beside], line[4 + beside]
+        for e in range(most, most + rows):
+            contrast[e] = squared_distance(inside[e], outside[e])
+    for each in line:  # which is closed, and at most a quarter of it is repeated at either end
+        for e in range(most):
+            each[e] = each[rows + e]
+            each[most + rows + e] = each[most + e]
     for y in range(rows):
         cosine, sine = polar.cosine[y], polar.sine[y]
         if polar.cut_cosine[y] >= polar.cut_sine[y]:
@@ -90,9 +99,12 @@ def alignment_costs(
         ) >> WEIGHT_BITS
         weight = np.int32(weight)
         new, after_new = line[0, y : y + shifts], line[direction, y : y + shifts]
+        contrast = line[4 + direction, y : y + shifts]
+        old_contrast = squared_distance(old, before)
         row = costs[y, 1 : 1 + shifts]
         for k in range(shifts):
-            cost = seam_cost(new[k], after_new[k], old, before, eta, exponent) >> halved
+            both = np.int32(contrast[k] + old_contrast)
+            cost = cost_beside(new[k], after_new[k], old, before, both, eta, exponent) >> halved
             cost = cost if cost < limit else limit
             row[k] = np.int32(np.int32(cost * weight) + np.int32(_HALF)) >> WEIGHT_BITS
         costs[y, 0] = BLOCKED

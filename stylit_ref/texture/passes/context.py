@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from stylit_ref.machine.inlined import subroutine
+from stylit_ref.machine.inlined import inlined, subroutine
 from stylit_ref.texture.formulae.polar import MARGIN
 from stylit_ref.texture.passes.layout import LOCKED, Texture
 
@@ -61,23 +61,39 @@ def read_context(
         # An edge y belongs to the row above it, which may be the wider one.
         reach = min(max(half_width[j], half_width[max(j - 1, 0)]) + MARGIN - 1, centre)
         place = j * side + centre - reach
+        end = j * side + centre + reach + 1
         column = (x - reach) % width
         inward_y = stride if j < centre else -stride
-        for i in range(-reach, reach + 1):
-            a = addresses[row, column]
-            context.here[place] = colours[a]
-            context.beside_x[place] = colours[a + 1] if i < 0 else colours[a - 1]
-            context.beside_y[place] = colours[a + inward_y]
-            cost_x, cost_y = seams_x[row, column], seams_y[row, column]
-            context.seams[place] = cost_x + cost_y
-            kept = lock[row, column]
-            if exemplar >= 0 and labels[row, column] and labels[row, column] != exemplar + 1:
-                kept |= LOCKED
-            context.locked[place] = kept
-            total += np.int64(cost_x) + cost_y
-            free += not kept & LOCKED
-            place += 1
-            column += 1
-            if column == width:
-                column = 0
+        while place < end:  # up to the last column of S at a time
+            run = min(end - place, width - column)
+            window, stretch = slice(place, place + run), slice(column, column + run)
+            left = min(max(j * side + centre - place, 0), run)
+            _read_colours(
+                addresses[row, stretch], colours, left, inward_y, context.here[window],
+                context.beside_x[window], context.beside_y[window],
+            )  # fmt: skip
+            cost_x, cost_y = seams_x[row, stretch], seams_y[row, stretch]
+            costs, locked = context.seams[window], context.locked[window]
+            for i in range(run):
+                costs[i] = cost_x[i] + cost_y[i]
+                total += np.int64(cost_x[i]) + cost_y[i]
+            for i in range(run):
+                kept = lock[row, column + i]
+                if exemplar >= 0:
+                    label = labels[row, column + i]
+                    if label and label != exemplar + 1:
+                        kept |= LOCKED
+                locked[i] = kept
+                free += not kept & LOCKED
+            place += run
+            column = 0
     return total, free
+
+
+@inlined
+def _read_colours(shown, colours, left, inward_y, here, beside_x, beside_y):
+    for i in range(shown.size):
+        a = shown[i]
+        here[i] = colours[a]
+        beside_x[i] = colours[a + 1] if i < left else colours[a - 1]
+        beside_y[i] = colours[a + inward_y]

@@ -156,7 +156,7 @@ def make_workspace(polar: Polar, max_jump: int, max_shift: int, threads: int) ->
         row=room(4, widest),
         paths=room(3, rows),
         ends=room(2, widest + 1),
-        line=room(5, rows + 2 * max_shift),
+        line=room(9, rows + 2 * max_shift),
         shift_costs=room(rows, shifts),
         shift_steps=room(rows, shifts),
         shift_totals=room(rows + 1, shifts),
