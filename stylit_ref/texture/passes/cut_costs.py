@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stylit_ref.machine.inlined import inlined, subroutine
+from stylit_ref.machine.running_sum import LANES, add_up
 from stylit_ref.texture.formulae.polar import BLOCKED, WEIGHT_BITS, Polar
 
 _HALF = np.int32(1 << (WEIGHT_BITS - 1))
@@ -24,6 +25,19 @@ def _directed(cost_x, weight_x, cost_y, weight_y):
     return np.int32(total + _HALF) >> WEIGHT_BITS
 
 
+@inlined
+def _running_sums(row):
+    """Replace a row by its running sums; returns the last."""
+    total = np.int32(0)
+    whole = row.size - row.size % LANES
+    for x in range(0, whole, LANES):
+        total = add_up(row, x, total)
+    for x in range(whole, row.size):
+        total = np.int32(total + row[x])
+        row[x] = total
+    return total
+
+
 @subroutine
 def existing_seams(
     seams: NDArray[np.int32], polar: Polar, halved: int, limit: int, saved: NDArray[np.int32]
@@ -37,13 +51,14 @@ def existing_seams(
     area = polar.area
     for y in range(rows):
         places, row = polar.inside[y], saved[y]
-        total = np.int32(0)
         for x in range(columns):
-            seam = seams[places[x]] >> halved
+            row[x] = seams[places[x]]
+        for x in range(columns):
+            seam = row[x] >> halved
             seam = seam if seam < limit else limit
             seam = seam if seam > -limit else -limit
-            total = np.int32(total + _weighted(seam, area[x]))
-            row[x] = total
+            row[x] = _weighted(seam, area[x])
+        _running_sums(row)
 
 
 @subroutine
@@ -77,11 +92,12 @@ def cut_costs(
     last = max_jump + columns
     edge_x, edge_y = edges[0], edges[1]
     for y in range(rows):
-        # Gathered first and computed with then: the compiler finds vector instructions for the
-        # second loop alone.
+        # Gathered first, one array at a time, and computed with then: the compiler finds vector
+        # instructions for the last loop alone.
         places_x, places_y, hidden = polar.cut_x[y], polar.cut_y[y], saved[y]
         for x in range(columns):
             edge_x[x] = new_x[places_x[x]]
+        for x in range(columns):
             edge_y[x] = new_y[places_y[x]]
         cosine, sine = polar.cut_cosine[y], polar.cut_sine[y]
         along = crossing[y, max_jump:last]
@@ -91,16 +107,14 @@ def cut_costs(
         places_x, places_y = polar.step_x[y], polar.step_y[y]
         for x in range(columns):
             edge_x[x] = new_x[places_x[x]]
+        for x in range(columns):
             edge_y[x] = new_y[places_y[x]]
         cosine, sine = polar.step_cosine[y], polar.step_sine[y]
         across = steps[y, max_jump:last]
         for x in range(columns):
             cost = _directed(edge_x[x], sine, edge_y[x], cosine)
             across[x] = _weighted(cost, step_weight[x])
-        total = np.int32(0)
-        for x in range(columns):
-            total = np.int32(total + across[x])
-            across[x] = total
+        total = _running_sums(across)
         crossing[y, :max_jump] = BLOCKED
         crossing[y, last:] = BLOCKED
         steps[y, :max_jump] = 0
