@@ -7,7 +7,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError, shown
-from stylit_ref.texture.cells import largest_radius
 from stylit_ref.texture.checks import check_exemplar
 from stylit_ref.texture.formulae.deformation import power_table
 from stylit_ref.texture.passes.dragged_patch import fit_dragged, write_dragged
@@ -53,7 +52,8 @@ def drag(
     Parameters
     ----------
     session : TextureSession
-        Patches are of its radius. They are not deformed, and none is rejected.
+        Patches are of the radius of its next iteration. They are not deformed, and none is
+        rejected.
     source : tuple of int
         The number of an exemplar, from 1, and y and x of the pixel at the patch's centre.
     place : tuple of int
@@ -73,7 +73,7 @@ def drag(
     exemplar, from_y, from_x = source
     number = check_exemplar(exemplar, session.exemplars.images) - 1
     height, width = session.exemplars.images[number].shape[:2]
-    radius = min(session.params.radius, largest_radius(session.size))
+    radius = session.radius
     if not isinstance(least_radius, Integral) or not 0 <= least_radius <= radius:
         raise InputError(
             f"is {shown(least_radius)}; it must be an integer from 0 to the radius {radius}",

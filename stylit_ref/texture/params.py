@@ -167,3 +167,23 @@ TEXTURE_PRESETS: dict[str, dict[str, Any]] = {
     },
 }  # fmt: skip
 """Changes to the defaults; ``paper`` has the settings of section 8, ``complete`` is for holes."""
+
+
+def as_texture_params(params: TextureParams | None) -> TextureParams:
+    """The parameters, or the defaults for None.
+
+    Raises
+    ------
+    InputError
+        If they are anything else, such as the name of a preset or a dict.
+    """
+    if params is None:
+        return TextureParams()
+    if isinstance(params, TextureParams):
+        return params
+    what, remedy = f"of type {type(params).__name__}", "it must be a TextureParams"
+    if isinstance(params, str):
+        what, remedy = repr(params), f"write TextureParams.preset({params!r})"
+    elif isinstance(params, dict):
+        what, remedy = "a dict", "write TextureParams(**params)"
+    raise InputError(f"is {what}; {remedy}", parameter="params")
