@@ -86,12 +86,12 @@ def drag(
     address = int(session.exemplars.addresses(at))
     if 2 * int(sources.clearance[address]) <= radius:
         raise InputError(
-            f"is {source}, too close to a border of the exemplar: the centre of a patch lies "
-            f"more than half of its radius {radius} inside",
+            f"is y = {from_y}, x = {from_x} of exemplar {exemplar}, too close to its border: the "
+            f"centre of a patch lies more than half of its radius {radius} inside",
             parameter="source",
         )
     y, x = map(int, place)
-    patch, change = np.empty(polar.radius_at.size, np.int32), np.empty(1, np.int64)
+    patch, change = np.full(polar.radius_at.size, -1, np.int32), np.empty(1, np.int64)
     fit_dragged(
         session.texture, sources, polar, settings, session.workspace(polar, settings), address, y,
         x, int(least_radius), power_table(session.params.gamma), patch, change,
@@ -124,7 +124,7 @@ def _check_position(position, size, name):
     inside = isinstance(y, Integral) and isinstance(x, Integral)
     if not inside or not (0 <= y < size[0] and 0 <= x < size[1]):
         raise InputError(
-            f"is {shown(position)}; y must be an integer from 0 to {size[0] - 1}, x one from 0 to "
-            f"{size[1] - 1}",
+            f"is y = {shown(y)}, x = {shown(x)}; these must be integers of a pixel within "
+            f"{size[1]} x {size[0]}",
             parameter=name,
         )

@@ -54,9 +54,9 @@ def test_a_patch_has_at_least_the_least_radius(session, least):
     ("source", "place", "least", "said"),
     [
         ((3, 20, 20), (20, 30), 1, "exemplar is 3; it must be an integer from 1 to 2"),
-        ((1, 48, 20), (20, 30), 1, "source is (48, 20); y must be an integer from 0 to 47"),
-        ((1, 2, 20), (20, 30), 1, "source is (1, 2, 20), too close to a border of the exemplar"),
-        ((1, 20, 20), (20, 64), 1, "place is (20, 64); y must be"),
+        ((1, 48, 20), (20, 30), 1, "source is y = 48, x = 20; these must be integers of a"),
+        ((1, 2, 20), (20, 30), 1, "source is y = 2, x = 20 of exemplar 1, too close to"),
+        ((1, 20, 20), (20, 64), 1, "place is y = 20, x = 64; these must be"),
         ((1, 20, 20), (20, 30), 9, "least_radius is 9; it must be an integer from 0 to the radius"),
     ],
 )
