@@ -14,8 +14,8 @@ from stylit_ref.cli.positions import position_of
 from stylit_ref.cli.progress_line import ProgressLine
 from stylit_ref.cli.texture_files import TextureFiles, add_other_files
 from stylit_ref.cli.texture_images import fitted_to, read_sources
+from stylit_ref.cli.texture_masks import read_mask_of
 from stylit_ref.errors import InputError
-from stylit_ref.files.read_image import read_mask
 from stylit_ref.files.texture_field import read_texture_field
 from stylit_ref.machine.thread_count import using_threads
 from stylit_ref.texture.dragging import drag, drop
@@ -155,12 +155,7 @@ def _number_of_exemplar(options):
 
 
 def _mask(options, size) -> NDArray[np.bool_]:
-    mask = read_mask(options.paint)
-    if mask.shape != size:
-        raise InputError(
-            f"{options.paint}: has {mask.shape[1]} x {mask.shape[0]} pixels, and the texture "
-            f"{size[1]} x {size[0]}; make it as large"
-        )
+    mask = read_mask_of(options.paint, size, "the texture")
     if not mask.any():
         raise InputError(f"{options.paint}: has no white pixel; paint in white what to fill")
     return mask

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stylit_ref.cli.texture_images import Source, read_colours, read_labels
+from stylit_ref.cli.texture_masks import read_mask_of
 from stylit_ref.errors import InputError
-from stylit_ref.files.read_image import read_mask
 from stylit_ref.files.texture_field import read_texture_field
 from stylit_ref.machine.thread_count import using_threads
 from stylit_ref.notes import note
@@ -62,7 +62,7 @@ def task_of(options: argparse.Namespace, params: TextureParams, sources: Sequenc
 
 
 def _completion(options, params, colours):
-    white = read_mask(options.mask)
+    white = read_mask_of(options.mask, colours[0].shape[:2], options.complete)
     hole = ~white if options.inverted_mask else white
     if not hole.any() or hole.all():
         colour = "black" if options.inverted_mask else "white"
@@ -70,12 +70,6 @@ def _completion(options, params, colours):
         raise InputError(
             f"{options.mask} has {how} {colour} pixels; mark the holes alone in {colour}",
             parameter="mask",
-        )
-    height, width = colours[0].shape[:2]
-    if hole.shape != (height, width):
-        raise InputError(
-            f"{options.mask}: has {hole.shape[1]} x {hole.shape[0]} pixels, and "
-            f"{options.complete} {width} x {height}; make it as large"
         )
     return Task(
         lambda progress: complete_texture(

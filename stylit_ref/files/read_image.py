@@ -16,9 +16,6 @@ from stylit_ref.files.colour.bit_depth import to_uint8_by_rows
 from stylit_ref.files.picture import Picture, read_picture
 from stylit_ref.notes import note
 
-_MANY_GREYS, _LEVELS_OF_A_DRAWING = 0.2, 16
-"""A mask with more of both is hardly one that was drawn, even with soft edges."""
-
 
 def read_image(path: str | Path) -> NDArray[np.uint8 | np.uint16 | np.float32]:
     """Read an image at its own depth.
@@ -97,14 +94,5 @@ def read_mask(path: str | Path) -> NDArray[np.bool_]:
         Where the image is at least half as bright as it can be.
     """
     image, alpha_channel = read_picture(path)[:2]
-    brightness = image[:, :, :alpha_channel].mean(axis=2)
-    white = 1 if image.dtype == np.float32 else np.iinfo(image.dtype).max
-    greys = brightness[(brightness > 0.1 * white) & (brightness < 0.9 * white)]
-    share = greys.size / brightness.size
-    if share > _MANY_GREYS and len(np.unique(greys)) > _LEVELS_OF_A_DRAWING:
-        note(
-            f"{path}: {share:.0%} of it is neither black nor white; a mask is white where it is at "
-            "least half as bright as it can be",
-            level=logging.WARNING,
-        )
-    return brightness >= (0.5 if image.dtype == np.float32 else (white + 1) // 2)
+    half = 0.5 if image.dtype == np.float32 else (np.iinfo(image.dtype).max + 1) // 2
+    return image[:, :, :alpha_channel].mean(axis=2) >= half
