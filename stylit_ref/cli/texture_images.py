@@ -117,8 +117,8 @@ def read_labels(
     found, labels = np.unique(packed, return_inverse=True)
     if len(found) != len(exemplars):
         raise InputError(
-            f"{path}: has {len(found)} colours, and there are {len(exemplars)} exemplars; give an "
-            "--exemplar for each colour, in the order of their values, and a map whose colours do "
+            f"{path}: has {len(found)} colours, and --exemplar was given {len(exemplars)} times; "
+            "give one for each colour, in the order of their values, and a map whose colours do "
             "not blend (no JPEG)"
         )
     colours = [

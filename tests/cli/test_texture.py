@@ -288,7 +288,10 @@ REFUSALS = [
     (["--tile-in-place", "0.png", "--size", "9x9"], "--size cannot be given with --tile-in-place"),
     (["--tile-in-place", "0.png", "--exemplar", "1.png"], "--exemplar cannot be given with"),
     (["--tile-in-place", "0.png", "--complete", "1.png"], "--complete and --tile-in-place"),
-    (["--exemplar", "0.png", "--labels", "labels.png"], "labels.png: has 2 colours, and there are"),
+    (
+        ["--exemplar", "0.png", "--labels", "labels.png"],
+        "labels.png: has 2 colours, and --ex",
+    ),
     (
         ["--exemplar", "0.png", "--exemplar", "1.png", "--labels", "labels.png", "--size", "9x9"],
         "labels.png: has 56 x 40 pixels, and --size is 9 x 9",
