@@ -3,7 +3,7 @@
 import logging
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from functools import cached_property
+from dataclasses import replace
 
 import numba
 import numpy as np
@@ -26,10 +26,9 @@ from stylit_ref.texture.checks import (
     check_memory,
     check_size,
 )
-from stylit_ref.texture.exemplars import Exemplars, make_exemplars, make_field, packed_planes
+from stylit_ref.texture.exemplars import Exemplars, make_field
 from stylit_ref.texture.fitting import fit, make_settings
 from stylit_ref.texture.formulae.deformation import PHASES, power_table
-from stylit_ref.texture.formulae.guide_cost import fixed_guide_weight
 from stylit_ref.texture.formulae.polar import Polar
 from stylit_ref.texture.iteration import Iteration, Offered, told
 from stylit_ref.texture.label_maps import FREE_BAND
@@ -42,6 +41,7 @@ from stylit_ref.texture.passes.layout import (
     make_workspace,
 )
 from stylit_ref.texture.passes.placement import PREDICATES, iterate
+from stylit_ref.texture.stock import Stock, make_stock
 
 
 class TextureSession:
@@ -84,6 +84,8 @@ class TextureSession:
         How many of them, up to the last, changed nothing.
     canvas : Canvas
         S, and which of its pixels may change.
+    stock : Stock
+        What patches are taken from.
 
     Raises
     ------
@@ -91,13 +93,13 @@ class TextureSession:
         If arrays or parameters do not fit together.
     """
 
-    exemplars: Exemplars
     params: TextureParams
     seed: int
     cost: int
     iteration: int
     idle: int
     canvas: Canvas
+    stock: Stock
 
     def __init__(
         self,
@@ -120,12 +122,10 @@ class TextureSession:
         height, width = check_size(size)
         check_memory((height, width), self.params)
         self.seed, self.iteration, self.idle = seed, 0, 0
-        self._known = known
-        self.exemplars = self._lay_out(exemplars, self.params, _has_fractions(self.params))
-        images = self.exemplars.images
-        self._source_guides, guide = check_guides(
-            source_guides, target_guide, images, (height, width)
-        )
+        stock = make_stock(exemplars, self.params, known)
+        images = stock.exemplars.images
+        guides, guide = check_guides(source_guides, target_guide, images, (height, width))
+        self.stock = replace(stock, guides=guides)
         self._fit = self._work = None
         labels = check_labels(labels, images, (height, width))
         locked = check_lock(lock, (height, width))
@@ -138,8 +138,8 @@ class TextureSession:
                 self.iteration, self.idle = start.iterations, start.idle
                 start = start.coordinates
             start = check_coordinates(start, images, (height, width))
-            if (start[..., 1:] % PHASES).any() and not self.exemplars.fractions:
-                self.exemplars = self._lay_out(images, self.params, True)
+            has_fractions = bool((start[..., 1:] % PHASES).any())
+            self.stock = self.stock.suiting(self.params, fractions=has_fractions)
             addresses[:] = self.exemplars.addresses(start)
         self.canvas = make_canvas(
             addresses, locked, labels, guide, free_band=free_band, wraps=wraps
@@ -164,6 +164,11 @@ class TextureSession:
     def radius(self) -> int:
         """R of the next patches: smaller than asked for where the texture is too small for it."""
         return min(self.params.radius_at(self.iteration), largest_radius(self.size))
+
+    @property
+    def exemplars(self) -> Exemplars:
+        """The exemplars as they are laid out for the passes."""
+        return self.stock.exemplars
 
     @property
     def texture(self) -> Texture:
@@ -198,7 +203,10 @@ class TextureSession:
     def recount(self) -> int:
         """The cost of S, computed anew; :attr:`cost` equals it after every iteration."""
         return self.canvas.count(
-            self.exemplars, self.params, self._guide_colours, self._guide_weight()
+            self.exemplars,
+            self.params,
+            self.stock.guide_colours,
+            self.stock.guide_weight(self.params),
         )
 
     def step(self, params: TextureParams | None = None) -> Iteration:
@@ -263,13 +271,13 @@ class TextureSession:
         params = self.params
         key = radius, params.radial_samples, params.angular_samples, params.weighting
         if self._fit is None or self._fit.key != key:
-            self._fit = fit(self.exemplars, self._guide_colours, key)
+            self._fit = fit(self.exemplars, self.stock.guide_colours, key)
         polar = self._fit.polar
         settings = make_settings(
             params, self.exemplars, polar, radius,
             min(params.deformation_at(self.iteration), polar.cosine.size // 4),
             has_lock=self.canvas.has_lock, has_labels=self.canvas.has_labels,
-            guide_weight=self._guide_weight(),
+            guide_weight=self.stock.guide_weight(params),
         )  # fmt: skip
         return polar, self._fit.sources, settings
 
@@ -286,36 +294,15 @@ class TextureSession:
         high, low = divmod(self.iteration, 1 << 16)
         return random_stream(self.seed, purpose, vote=high, iteration=low)
 
-    @cached_property
-    def _guide_colours(self):
-        if self._source_guides is None:
-            return np.zeros(1, np.int32)
-        return packed_planes(self._source_guides, self.exemplars.border, self.exemplars.fractions)
-
-    def _guide_weight(self):
-        return 0 if self._source_guides is None else fixed_guide_weight(self.params.guide_weight)
-
-    def _lay_out(self, images, params, fractions):
-        return make_exemplars(images, params.radius, known=self._known, fractions=fractions)
-
     def _change(self, params):
         check_memory(self.size, as_texture_params(params))
-        exemplars = self.exemplars
-        fractions = exemplars.fractions or _has_fractions(params)
-        if params.radius > exemplars.largest_radius or fractions != exemplars.fractions:
-            exemplars = self._lay_out(exemplars.images, params, fractions)
-        exemplars.centres(min(params.radius, largest_radius(self.size)))  # or InputError
+        stock = self.stock.suiting(params)
+        stock.exemplars.centres(min(params.radius, largest_radius(self.size)))  # or InputError
         before, self.params = self.params, params
-        if exemplars is not self.exemplars:
+        if stock is not self.stock:
             coordinates = self.coordinates
-            self.exemplars = exemplars
-            self.__dict__.pop("_guide_colours", None)
-            self._fit = None
-            self.texture.addresses[:] = exemplars.addresses(coordinates)
+            self.stock, self._fit = stock, None
+            self.texture.addresses[:] = self.exemplars.addresses(coordinates)
         counted = "eta", "exponent", "guide_weight"
         if any(getattr(params, name) != getattr(before, name) for name in counted):
             self.cost = self.recount()
-
-
-def _has_fractions(params):
-    return params.max_deformation > 0 and not params.whole_pixels
