@@ -3,10 +3,12 @@
 import argparse
 import logging
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.ndimage import distance_transform_edt
 
 from stylit_ref.cli.texture_images import Source, read_colours, read_labels
 from stylit_ref.cli.texture_masks import read_mask_of
@@ -71,6 +73,8 @@ def _completion(options, params, colours):
             f"{options.mask} has {how} {colour} pixels; mark the holes alone in {colour}",
             parameter="mask",
         )
+    if options.radius is None and not options.exemplar:
+        params = _fitted_to_known(options.complete, hole, params)
     return Task(
         lambda progress: complete_texture(
             colours[0], hole, params, exemplars=colours[1:], unlocked=options.unlocked,
@@ -79,6 +83,21 @@ def _completion(options, params, colours):
         hole.size if options.unlocked else int(hole.sum()),
         hole=hole,
     )  # fmt: skip
+
+
+def _fitted_to_known(path, hole, params):
+    """Parameters with a radius of which a patch fits between the holes."""
+    clearance = int(distance_transform_edt(np.pad(~hole, 1)).max())
+    fits = 2 * clearance - 1
+    if params.radius <= fits:
+        return params
+    note(
+        f"is {params.radius}, but {fits} is used: between its holes, {path} has no room for larger "
+        "patches",
+        parameter="radius",
+        level=logging.WARNING,
+    )
+    return replace(params, radius=fits, radius_end=min(params.radius_end, fits))
 
 
 def _tiling(options, params, picture):

@@ -130,6 +130,17 @@ def test_holes_are_filled(folder, capsys):
     assert np.array_equal(written(folder), complete_texture(spots(0), ~hole, SMALL).image)
 
 
+def test_a_radius_that_nobody_gave_fits_between_holes(folder, capsys):
+    known = np.zeros((48, 48), np.uint8)
+    known[10:25, 5:40] = 255
+    write_image(folder / "known.png", known)
+    assert main([
+        "texture", "--complete", f"{folder / '0.png'}", "--mask", f"{folder / 'known.png'}",
+        "--inverted-mask", "--iterations", "2", "--output", f"{folder / 'out.png'}",
+    ]) == 0  # fmt: skip
+    assert "note: --radius is 47, but 15 is used: between its holes, " in capsys.readouterr().err
+
+
 def test_holes_are_filled_from_an_exemplar(folder):
     assert texture(
         folder, "--complete", "0.png", "--mask", "hole.png", "--exemplar", "1.png"
