@@ -1,76 +1,56 @@
 """The page of the report on the paper: every table and figure."""
 
-import hashlib
-import json
+from functools import partial
 
 from eval.documents.lasram import patch_pictures, pictures, printed, tables
 from eval.documents.lasram.claims import claims
 from eval.documents.lasram.cut_quality import BEGUN, JUMP, RADIUS, cut_quality
 from eval.metrics import definitions
-from eval.pages.page import is_up_to_date, new_report
-from eval.provenance import provenance
-from eval.runs.store import numbers_of, stored
+from eval.pages.claims import claims_section
+from eval.pages.document import Document, made_on
+from eval.runs.store import stored
 from stylit_ref.machine.code_digest import code_digest
 
 _CODE = code_digest(__file__)
 
 
-def write_page(plan, folder):
-    """Write the report: its page, its figures, and a CSV for every table.
+def document(plan):
+    """The report on a plan.
 
     Parameters
     ----------
     plan : Plan
-        Its runs must be stored.
-    folder : Path
 
     Returns
     -------
-    bool
-        False if the folder already holds a report of the same runs by the same code; it is kept.
+    Document
     """
-    inputs = _inputs(plan)
-    if is_up_to_date(folder, inputs):
-        return False
-    with new_report(folder, inputs) as report:
-        quality = tables.quality(plan)
-        sections = [
-            _preface(plan),
-            *_claims(claims(plan, quality), report),
-            *_figures(plan, report),
-            *_performance(plan, report),
-            *_quality(plan, quality, report),
-            "## What the numbers are",
-            definitions(tables.SHOWN),
-        ]
-        report.page(f"Lasram and Lefebvre 2012, preset {plan.name}", sections)
-    return True
+    title = f"Lasram and Lefebvre 2012, preset {plan.name}"
+    return Document(title, plan.tasks, partial(_sections, plan), [_CODE])
+
+
+def _sections(plan, report):
+    quality = tables.quality(plan)
+    return [
+        _preface(plan),
+        *claims_section("What the paper says, and what we found", claims(plan, quality), report),
+        *_figures(plan, report),
+        *_performance(plan, report),
+        *_quality(plan, quality, report),
+        "## What the numbers are",
+        definitions(tables.SHOWN),
+    ]
 
 
 def _preface(plan):
-    made = sorted({stored(task.job).made for task in plan.tasks})
     seeds = " ".join(map(str, plan.preset.seeds))
     return (
         f"Our exemplars at 256x256, S at {plan.side}x{plan.side}, the paper's settings (section 8) "
         "where nothing else is said: R = 64, D_max = 32, N_ρ = 2, N_θ = 1.5, J_max = 4, γ = 1, 16 "
         f"iterations, rejection `after`. Seeds of the study of quality: {seeds}; 0 elsewhere. The "
         "paper does not publish its exemplars, η, nor its range of colours, so compare ratios and "
-        "shapes. Made on:\n\n"
-        + "\n".join(f"- {line}" for line in made)
-        + f"\n\nReport: {provenance()}"
+        "shapes. Made on:\n\n" + made_on(plan.tasks)
     )
-
-
-def _claims(found, report):
-    return [
-        "## What the paper says, and what we found",
-        *(
-            f"- **{row.claim}** ({row.section}): **{row.verdict}**. {row.evidence}. "
-            f"*Held if {row.rule}.*"
-            for row in found.itertuples()
-        ),
-        report.csv("claims", found),
-    ]
 
 
 def _figures(plan, report):
@@ -171,9 +151,3 @@ def _quality(plan, quality, report):
         "The same for our defaults with R from 96, which falls by 4 an iteration to 40:",
         report.table("large_beside_quilting", large, large),
     ]
-
-
-def _inputs(plan):
-    """Identifies everything a report is made of."""
-    runs = [(task.job.key, sorted(numbers_of(task.job).items())) for task in plan.tasks]
-    return hashlib.sha256(json.dumps([plan.name, runs, _CODE]).encode()).hexdigest()

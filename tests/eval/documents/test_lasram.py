@@ -12,9 +12,9 @@ import eval.documents.lasram.report as report_module
 import eval.runs.local
 from eval.__main__ import main
 from eval.documents.lasram import overlap
-from eval.documents.lasram.claims import HELD, NOT_HELD, OPEN
 from eval.documents.lasram.cut_quality import summary
 from eval.documents.lasram.plan import Plan, Preset
+from eval.pages.claims import HELD, NOT_HELD, OPEN
 
 
 def tiny_plan(name, preset, exemplars, rivals):
