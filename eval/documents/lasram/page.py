@@ -115,7 +115,7 @@ def _times_beside_pixels(plan):
         f"16 iterations took {ours:.0f} ms here, the pixel-based rival {theirs:.0f} ms after its "
         f"analysis of E; in the paper {printed.RADIUS_128_MS} and {printed.PIXELS_MS} ms on a GTX "
         "580. The rival is our own, after Lefebvre and Hoppe (2005), on one processor. Look "
-        "at the pictures: a high jitter breaks canes, and a low one repeats E. So large patches are "
+        "at the pictures: a high jitter breaks canes, a low one repeats E. So large patches are "
         "few in an iteration, and 16 may not be enough for them."
     )
 
