@@ -8,6 +8,7 @@ import pandas as pd
 from eval.runs.store import stored
 from stylit_ref.machine.thread_count import using_threads
 from stylit_ref.texture.dragging import drag, drop
+from stylit_ref.texture.painting import paint
 from stylit_ref.texture.params import TextureParams
 from stylit_ref.texture.session import TextureSession
 
@@ -72,4 +73,4 @@ def _stroke(session, place):
         for side, at in zip(session.size, place, strict=True)
     )
     pulled = np.maximum(0, np.abs(x) - BRUSH // 2)
-    session.paint(np.hypot(y[:, None], pulled) < BRUSH / 2, 1)
+    paint(session, np.hypot(y[:, None], pulled) < BRUSH / 2, 1)
