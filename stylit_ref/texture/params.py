@@ -34,14 +34,15 @@ class TextureParams:
     eta : int
         η of M, in squared 8-bit steps.
     predicate : {"exact", "after", "before", "none"}
-        When a patch is rejected (section 6). ``before``: if its cut costs at least what it hides,
-        in the polar table, before alignment. ``exact``: if it does so, or if the cost of S would
-        not fall. ``after``: if the table says so of the patch that is left after alignment.
+        When a patch is rejected (section 6). ``exact``: if the cost of S would not fall.
+        ``before``: if its cut costs at least what it hides, in the polar table, before alignment.
+        ``after``: if the table says so of the aligned patch, and of the one without deformation.
         ``none``: never.
     weighting : {"arc_length", "printed"}
         How pieces of a cut are weighed (:mod:`stylit_ref.texture.formulae.polar`).
     second_pass : bool
-        Whether a cut is improved by a second pass, fixed half a turn on.
+        Whether a cut is looked for in two turns. The second begins with what the first paid to
+        arrive, and nearly always finds the best.
     candidates : int
         How many patches are compared with S by a sparse look before the best is cut; 1 is the
         paper's uniform choice.

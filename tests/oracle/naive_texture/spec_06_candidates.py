@@ -26,6 +26,10 @@ def candidate(p, a, centres, cell, attempt, y, x):
         for v, u in a["ring"].tolist():
             shown = colours[addresses[(y + v) % height, (x + u) % width]]
             total += min(distance(int(colours[chosen + v * stride + u]), int(shown)), 20000)
+            if p.get("guide_weight"):
+                wanted = int(a["guide"][(y + v) % height, (x + u) % width])
+                given = int(a["guide_colours"][chosen + v * stride + u])
+                total += (distance(given, wanted) * p["guide_weight"]) >> 8
         if least is None or total < least:
             best, least = chosen, total
     return best
