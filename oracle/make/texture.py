@@ -71,8 +71,8 @@ ITERATED = {
 """Iterations of the plain patch."""
 
 CHOICES = {
-    "predicate": "exact", "second_pass": True, "prescreened": 4, "coherence": 0, "tries": 1,
-    "max_shift": 0, "penalty": 0,
+    "predicate": "exact", "second_pass": True, "prescreened": 4, "spread": 800, "coherence": 0,
+    "tries": 1, "max_shift": 0, "penalty": 0,
 }  # fmt: skip
 """What iterations and runs do by default."""
 
@@ -235,13 +235,14 @@ def _of_patch(name, patch):
     looked_at |= {"ring": ring(patch.parameters["radius"]), "cells": patch.cells}
     chosen = {key: patch.parameters[key] for key in ("radius", "guide_weight")}
     if name == "guided":
-        choice = {"prescreened": 5, "coherence": 0, "attempt": 0}
+        choice = {"prescreened": 5, "spread": 0, "coherence": 0, "attempt": 0}
         yield "candidates", "guided_best", chosen | PLACE | choice, looked_at
     if name in ("plain", "wraps", "several"):
         for title, choice in (
-            ("random", {"prescreened": 1, "coherence": 0, "attempt": 2}),
-            ("best", {"prescreened": 5, "coherence": 0, "attempt": 1}),
-            ("coherent", {"prescreened": 5, "coherence": 50000, "attempt": 0}),
+            ("random", {"prescreened": 1, "spread": 900, "coherence": 0, "attempt": 2}),
+            ("best", {"prescreened": 5, "spread": 0, "coherence": 0, "attempt": 1}),
+            ("priced", {"prescreened": 9, "spread": 3000, "coherence": 0, "attempt": 1}),
+            ("coherent", {"prescreened": 5, "spread": 700, "coherence": 50000, "attempt": 0}),
         ):
             yield "candidates", f"{name}_{title}", chosen | PLACE | choice, looked_at
     placed = patch.parameters | patch.place

@@ -26,6 +26,7 @@ from stylit_ref.texture.passes.guide_costs import guide_costs
 from stylit_ref.texture.passes.lock import free_locked_edges
 from stylit_ref.texture.passes.new_seams import new_seams
 from stylit_ref.texture.passes.seam_maps import seam_maps
+from stylit_ref.texture.passes.use import price_use
 from stylit_ref.texture.passes.white_noise import white_noise
 
 
@@ -86,6 +87,8 @@ def _guide_costs(_, parameters, arrays):
 
 def _candidates(_, parameters, arrays):
     scene = scene_of(parameters, arrays)
+    _, sources, _, settings = scene
+    price_use(arrays["addresses"], sources.clearance, sources.centres, settings, sources.prices)
     found = []
     for cell, (y, x) in enumerate(arrays["cells"].tolist()):
         draw = parameters["attempt"] * parameters["prescreened"]

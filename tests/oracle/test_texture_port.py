@@ -76,6 +76,8 @@ MISTAKES = {
         "int(shown)), 200000)",
         "candidates",
     ),
+    "candidates without a price": ("total = price(p, a, chosen)", "total = 0", "candidates"),
+    "a price for the whole disc": ('p["radius"] // 2', 'p["radius"]', "candidates"),
     "candidates seen without the guide": ('if p.get("guide_weight"):', "if False:", "candidates"),
     "a lock that is ignored": (
         "return self.anything_locked and bool(",

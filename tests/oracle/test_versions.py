@@ -18,7 +18,7 @@ from oracle.families import FAMILY_OF, NEWEST, folder_of, spec_of
 
 DIGESTS = {
     "v1": "a23247307f921b0d0b3a43e0ad296c2d1163fde9e89d5f05d04ea891f6a136f7",
-    "texture/v1": "60936330f21588926a8c9c779fd50888bc8dc7c8bbc0975811016e5ce96f718b",
+    "texture/v1": "6e94ad7d7be4fed90b09bcbeb9d9859e9778594914640e121e9d938e21529fae",
 }
 """SHA-256 of the SHA256SUMS of every version: what is published never changes."""
 

@@ -91,7 +91,8 @@ def find_candidate(
 
     Of ``exemplar`` alone, or of any if that is -1. ``cell`` and ``first_draw`` tell the draws of a
     stream apart. Of equally near candidates, the first is taken. With a guide, its differences
-    count as those of colours do, times its weight.
+    count as those of colours do, times its weight. What S uses much already is priced
+    (:mod:`stylit_ref.texture.passes.use`).
     """
     addresses, colours, centres = texture.addresses, sources.colours, sources.centres
     stride, plane, radius = settings.stride, settings.plane, settings.radius
@@ -117,7 +118,7 @@ def find_candidate(
                 candidate = there
         if settings.prescreened == 1:
             return candidate
-        distance = np.int64(0)
+        distance = sources.prices[candidate] if settings.spread else np.int64(0)
         for n in range(LOOKED_AT):
             to_y, to_x = np.int64(sources.ring[n, 0]), np.int64(sources.ring[n, 1])
             place = (to_y + radius + MARGIN) * side + to_x + radius + MARGIN

@@ -17,6 +17,7 @@ from stylit_ref.texture.passes.cut_costs import existing_seams
 from stylit_ref.texture.passes.deformation import rasterize
 from stylit_ref.texture.passes.layout import Settings, Sources, Texture, Workspace
 from stylit_ref.texture.passes.patch_cut import cut_tables, find_cut
+from stylit_ref.texture.passes.use import price_use
 
 PREDICATES = "none", "before", "after", "exact"
 """Whether a patch is rejected (section 6), in the order of their numbers."""
@@ -180,6 +181,7 @@ def iterate(
     texture : Texture
         Changed in place.
     sources : Sources
+        Its prices are computed anew.
     polar : Polar
         For ``settings.radius``.
     powers : (4097,) int32
@@ -195,6 +197,8 @@ def iterate(
     outcomes, changes : (n,) int64
         Receive what became of each cell, and by how much it changed the cost of S.
     """
+    if settings.spread:
+        price_use(texture.addresses, sources.clearance, sources.centres, settings, sources.prices)
     _iterate(
         texture, sources, polar, powers, settings, work, stream, cells, patches, outcomes, changes
     )
