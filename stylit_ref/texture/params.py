@@ -110,7 +110,7 @@ class TextureParams:
         64, Integer(1, 65536), "patches that are compared by a sparse look before the best is cut"
     )
     spread: int = parameter(
-        1000,
+        400,
         Integer(0, 65536),
         "how much patches are preferred that the texture uses little so far; 0 for not at all",
     )
