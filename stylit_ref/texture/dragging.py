@@ -8,7 +8,9 @@ from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError, shown
 from stylit_ref.texture.checks import check_exemplar
+from stylit_ref.texture.exemplars import Exemplars
 from stylit_ref.texture.formulae.deformation import power_table
+from stylit_ref.texture.formulae.polar import MARGIN
 from stylit_ref.texture.passes.dragged_patch import fit_dragged, write_dragged
 from stylit_ref.texture.session import TextureSession
 
@@ -29,6 +31,8 @@ class DraggedPatch:
         What the texture costs with it, less what it costs now, in units of 1/256 of M.
     addresses : (n * n,) int32
     radius : int
+    exemplars : Exemplars
+        Those that the addresses belong to.
     """
 
     y: int
@@ -38,6 +42,7 @@ class DraggedPatch:
     change: int
     addresses: NDArray[np.int32]
     radius: int
+    exemplars: Exemplars
 
 
 def drag(
@@ -68,7 +73,8 @@ def drag(
     Raises
     ------
     InputError
-        If a position is none, or too close to the exemplar's border for a patch.
+        If a position is none, or too close to the exemplar's border for a patch of the least
+        radius.
     """
     exemplar, from_y, from_x = source
     number = check_exemplar(exemplar, session.exemplars.images) - 1
@@ -96,10 +102,17 @@ def drag(
         session.texture, sources, polar, settings, session.workspace(polar, settings), address, y,
         x, int(least_radius), power_table(session.params.gamma), patch, change,
     )  # fmt: skip
+    clear = int(sources.clearance[address])
+    if not (patch >= 0).any() and clear <= least_radius + MARGIN:
+        raise InputError(
+            f"is {least_radius}, but no such patch fits around {source}: the exemplar ends {clear} "
+            "pixels from there",
+            parameter="least_radius",
+        )
     side = polar.half_width.size
     covers = patch.reshape(side, side) >= 0
     colours = session.exemplars.show(np.where(patch >= 0, patch, 0)).reshape(side, side, -1)
-    return DraggedPatch(y, x, covers, colours, int(change[0]), patch, radius)
+    return DraggedPatch(y, x, covers, colours, int(change[0]), patch, radius, session.exemplars)
 
 
 def drop(session: TextureSession, patch: DraggedPatch) -> None:
@@ -111,11 +124,16 @@ def drop(session: TextureSession, patch: DraggedPatch) -> None:
     patch : DraggedPatch
     """
     polar, sources, settings = session.fitted(patch.radius)
-    change = np.empty(1, np.int64)
+    addresses, change = patch.addresses, np.empty(1, np.int64)
+    if patch.exemplars is not session.exemplars:
+        # The session has laid its exemplars out anew, for a larger radius or for fractions.
+        covered = addresses >= 0
+        coordinates = patch.exemplars.coordinates(addresses[covered])
+        addresses = addresses.copy()
+        addresses[covered] = session.exemplars.addresses(coordinates)
     write_dragged(
-        session.texture, sources, settings, patch.y, patch.x, polar.half_width, patch.addresses,
-        change,
-    )  # fmt: skip
+        session.texture, sources, settings, patch.y, patch.x, polar.half_width, addresses, change
+    )
     session.cost += int(change[0])
 
 
