@@ -82,3 +82,21 @@ def load_texture(name, shape=(512, 512)):
     top, left = PHOTOGRAPHS[name]
     image = getattr(skimage.data, name)()[top : top + 256, left : left + 256]
     return Texture(name, np.ascontiguousarray(image[:, :, None]), shape)
+
+
+def large_texture(name, shape):
+    """A texture to complete: an exemplar of ours that is as large as it.
+
+    Parameters
+    ----------
+    name : str
+        One of :data:`data_gen.textures.TEXTURES`.
+    shape : tuple of int
+        Height and width.
+
+    Returns
+    -------
+    Texture
+    """
+    exemplar = make_texture(name, max(shape))[: shape[0], : shape[1]]
+    return Texture(name, np.ascontiguousarray(exemplar), shape)

@@ -27,7 +27,7 @@ from skimage.util import view_as_windows
 
 from data_gen.textures import make_texture
 from stylit_ref import TextureParams, TextureSession, synthesize_texture
-from stylit_ref.texture.formulae.polar import make_polar
+from stylit_ref.texture.formulae.polar import BLOCKED, make_polar
 from stylit_ref.texture.formulae.seam_cost import ONE
 from stylit_ref.texture.passes.cut import accumulate, closed_path
 
@@ -143,20 +143,18 @@ rng = np.random.default_rng(4)
 table_rows, table_columns = 90, 60
 valley = 30 + 12 * np.sin(np.arange(table_rows) * 2 * np.pi / table_rows)
 distance = abs(np.arange(table_columns) - valley[:, None])
-crossing = np.full((table_rows, table_columns + 2 * J), (1 << 30) - 1, np.int32)
+crossing = np.full((table_rows, table_columns + 2 * J), BLOCKED, np.int32)
 crossing[:, J:-J] = 300 + 20 * distance + rng.integers(0, 900, distance.shape)
 steps = np.zeros_like(crossing)  # V: steps along a ray are free here
 
 
-def solve(first_row=0, start=-1):
+def solve(arrivals):
     """T, and the closed path that the library takes from it."""
     totals = np.empty((table_rows + 1, crossing.shape[1]), np.int32)
-    accumulate(
-        crossing, steps, J, first_row, start, totals, *np.empty((2, totals.shape[1]), np.int32)
-    )
+    accumulate(crossing, steps, J, arrivals, totals, *np.empty((2, totals.shape[1]), np.int32))
     path = np.empty(table_rows, np.int32)
     ends = np.empty((2, totals.shape[1] + 1), np.int32)
-    return totals, path, closed_path(totals, steps, J, first_row, start, path, *ends)
+    return totals, path, closed_path(totals, steps, J, arrivals, path, *ends)
 
 
 def followed(totals, end):
@@ -168,11 +166,15 @@ def followed(totals, end):
     return np.array(path[::-1]) - J
 
 
-totals, path, cost_of_one_pass = solve()
+anywhere = np.zeros(table_columns + 2 * J, np.int32)
+totals, path, cost_of_one_pass = solve(anywhere)
 everyone = [followed(totals, end) for end in range(table_columns)]
 closed = [way for way in everyone if way[0] == way[-1]]
-optimum = min(solve(start=start)[2] for start in range(table_columns))
-_, again, cost_of_two = solve(table_rows // 2, int(path[table_rows // 2]))
+only = np.full((table_columns, anywhere.size), BLOCKED, np.int32)
+only[np.arange(table_columns), J + np.arange(table_columns)] = 0
+optimum = min(solve(one)[2] for one in only)
+arrived = np.minimum(totals[-1] - totals[-1].min(), BLOCKED)
+_, again, cost_of_two = solve(arrived)
 
 fig, axes = plt.subplots(1, 2, figsize=(9, 4), layout="constrained")
 for place in axes:
@@ -192,9 +194,10 @@ assert optimum <= cost_of_two <= cost_of_one_pass
 
 # %% [markdown]
 # The paths run together from below, like rivers seen from the sea. Usually the cut of one pass is
-# the best there is, or nearly; now and then it is much worse. The library runs a second pass, which
-# the paper has not: it begins half a turn on, in the column of the cut found there. The old cut is
-# one of those that it can choose, so it never gets worse, and it is nearly always the best.
+# the best there is, or nearly; now and then it is much worse. A path may begin in every column for
+# nothing, and one that begins cheaply keeps all others from the columns where they end. The library
+# runs a second pass, which the paper has not. It goes around once more, and begins in every column
+# with what the first pass paid to arrive there. Its cut is nearly always the best.
 #
 # ## Why the energy must fall
 #

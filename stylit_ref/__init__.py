@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from stylit_ref.texture.dragging import DraggedPatch, drag, drop
     from stylit_ref.texture.iteration import Iteration
     from stylit_ref.texture.overlay import overlay
+    from stylit_ref.texture.painting import paint
     from stylit_ref.texture.params import TEXTURE_PRESETS, TextureParams
     from stylit_ref.texture.replaying import replay_texture
     from stylit_ref.texture.session import TextureSession
@@ -61,6 +62,7 @@ __all__ = [
     "drop",
     "make_tileable",
     "overlay",
+    "paint",
     "read_guides",
     "read_image",
     "read_nnf",
@@ -98,6 +100,7 @@ _HOMES = {
     "texture.dragging": ("DraggedPatch", "drag", "drop"),
     "texture.iteration": ("Iteration",),
     "texture.overlay": ("overlay",),
+    "texture.painting": ("paint",),
     "texture.params": ("TEXTURE_PRESETS", "TextureParams"),
     "texture.replaying": ("replay_texture",),
     "texture.session": ("TextureSession",),

@@ -18,6 +18,9 @@ def command() -> None:
                 "(python -m oracle checks a port with NumPy alone)"
             )
         )
+    except KeyboardInterrupt:
+        print("stylit-ref: interrupted", file=sys.stderr)
+        sys.exit(130)
     run_command()
 
 

@@ -17,13 +17,16 @@ def flowers(size, seed):
     colours = np.array(_GRASS) + 90 * smooth_noise(rng, size, 1.5) * np.array(_BLADES)
     y, x = np.mgrid[:size, :size]
     for centre, radius in _places(rng, size):
-        down, along = y - centre[0], x - centre[1]
+        first = np.maximum(0, np.floor(centre - radius)).astype(int)
+        last = np.ceil(centre + radius).astype(int) + 1
+        around = np.s_[first[0] : last[0], first[1] : last[1]]
+        down, along = y[around] - centre[0], x[around] - centre[1]
         distance = np.hypot(down, along)
         turned = _PETALS / 2 * (np.arctan2(down, along) + rng.uniform(0, 2 * np.pi))
         petals = distance < radius * (0.62 + 0.38 * np.abs(np.cos(turned)))
         shade = 1 - 0.35 * distance[petals] / radius
-        colours[petals] = np.array(_COLOURS[rng.integers(3)]) * shade[:, None]
-        colours[distance < radius / 4] = _MIDDLE
+        colours[around][petals] = np.array(_COLOURS[rng.integers(3)]) * shade[:, None]
+        colours[around][distance < radius / 4] = _MIDDLE
     return picture(colours)
 
 

@@ -25,10 +25,13 @@ class TextureSynthesis:
     name : str
         What reports call it.
     params : TextureParams
+    repeats : int
+        How often it is run. Of several times of an iteration the least is that of a quiet machine.
     """
 
     name: str = "default"
     params: TextureParams = field(default_factory=TextureParams)
+    repeats: int = 1
 
     cost = 1.0
 
@@ -55,20 +58,30 @@ class TextureSynthesis:
         Returns
         -------
         Outcome
-            The history has a row for every iteration, with its ``seconds``.
+            The history has a row for every iteration, with its ``seconds`` and
+            ``processor_seconds``, those of all threads.
         """
         TextureSession([texture.exemplar], texture.shape, self.params).step()
-        clock = [time.perf_counter()]
-        result = synthesize_texture(
-            texture.exemplar, texture.shape, self.params, seed=seed,
-            progress=lambda iteration: clock.append(time.perf_counter()),
-        )  # fmt: skip
-        seconds = time.perf_counter() - clock[0]
+        times = []
+        for _ in range(self.repeats):
+            clock = [_now()]
+            result = synthesize_texture(
+                texture.exemplar, texture.shape, self.params, seed=seed,
+                progress=lambda iteration, clock=clock: clock.append(_now()),
+            )  # fmt: skip
+            times.append(np.diff([*clock, _now()], axis=0))
+        seconds = min(each[:, 0].sum() for each in times)
         history = pd.DataFrame([asdict(step) for step in result.history])
-        history["seconds"] = np.diff(clock)  # the first has white noise, too
+        least = np.min(times, axis=0)[:-1]  # the first has white noise, too
+        history["seconds"], history["processor_seconds"] = least.T
         return Outcome(
             image=result.image,
             seconds=seconds,
             history=history,
             coordinates=result.coordinates,
         )
+
+
+def _now():
+    """Wall seconds, and those of all processors."""
+    return time.perf_counter(), time.process_time()

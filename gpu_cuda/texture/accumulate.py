@@ -13,7 +13,7 @@ from numba import cuda, int32
 from gpu_cuda.host.argument_types import INT, MAP
 from gpu_cuda.host.device import launch
 from gpu_cuda.texture.blocks import Blocks
-from gpu_cuda.texture.steps import BLOCKED, COLUMNS, row_at, transition
+from gpu_cuda.texture.steps import BLOCKED, COLUMNS, transition
 
 
 @lru_cache
@@ -30,14 +30,14 @@ def make_kernel(blocks, max_jump):
     block_columns, block_rows = blocks.columns, blocks.rows
 
     @cuda.jit
-    def accumulate_kernel(crossing, steps, first_row, starts, first, totals):
+    def accumulate_kernel(crossing, steps, arrivals, patches, first, totals):
         before = cuda.shared.array(width, int32)
         after = cuda.shared.array(width, int32)
         running = cuda.shared.array(width, int32)
         thread, threads = cuda.threadIdx.x, cuda.blockDim.x
         patch = cuda.blockIdx.y
         rows = crossing.shape[0]
-        padded = crossing.shape[1] // starts.size
+        padded = crossing.shape[1] // patches
         left = patch * padded  # of the patch, in the tables of all
         begin = cuda.blockIdx.x * block_columns - reach  # of the block, in the patch
         end_column = padded - max_jump
@@ -50,26 +50,22 @@ def make_kernel(blocks, max_jump):
             y = first + n
             if y > rows:
                 break
-            above = row_at(first_row, y - 1, rows)
             for k in range(thread, width, threads):
                 x = begin + k
-                running[k] = steps[above, left + x] if 0 <= x < padded else 0
+                running[k] = steps[y - 1, left + x] if y > 0 and 0 <= x < padded else 0
             cuda.syncthreads()
             for k in range(thread, width, threads):
                 x = begin + k
                 total = BLOCKED
                 if max_jump <= x < end_column:
                     if y == 0:
-                        start = starts[patch]
-                        if start < 0 or x == max_jump + start:
-                            total = crossing[first_row, left + x]
+                        total = min(arrivals[left + x] + crossing[0, left + x], BLOCKED)
                     else:
                         # Near the ends of the block this lacks neighbours, and is not needed.
                         for other in range(max(k - max_jump, 0), min(k + max_jump + 1, width)):
                             total = min(total, transition(before, running, other, k))
                         if y < rows:
-                            now = row_at(first_row, y, rows)
-                            total = min(total + crossing[now, left + x], BLOCKED)
+                            total = min(total + crossing[y, left + x], BLOCKED)
                 after[k] = total
                 if reach <= k < reach + block_columns and x < padded:
                     totals[y, left + x] = total
@@ -84,17 +80,16 @@ def kernels(sizes):
     """Every kernel's name, the kernel and the types of its arguments."""
     for max_jump in (1, 4, 16):
         kernel = make_kernel(Blocks.default(max_jump), max_jump)
-        yield f"texture: accumulate, J {max_jump}", kernel, (MAP, MAP, INT, COLUMNS, INT, MAP)
+        yield f"texture: accumulate, J {max_jump}", kernel, (MAP, MAP, COLUMNS, INT, INT, MAP)
 
 
-def accumulate(crossing, steps, max_jump, first_row, starts, totals, blocks):
+def accumulate(crossing, steps, max_jump, arrivals, patches, totals, blocks):
     """Fill T of all patches, a launch for every line of blocks."""
-    patches = starts.size
     padded = crossing.shape[1] // patches
     across = -(-padded // blocks.columns)
     kernel = make_kernel(blocks, max_jump)
     for first in range(0, totals.shape[0], blocks.rows):
         launch(
-            kernel, (patches, across * blocks.threads), crossing, steps, first_row, starts, first,
+            kernel, (patches, across * blocks.threads), crossing, steps, arrivals, patches, first,
             totals, block=(blocks.threads, 1),
         )  # fmt: skip

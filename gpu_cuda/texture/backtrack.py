@@ -10,30 +10,29 @@ from numba import cuda, types
 
 from gpu_cuda.host.argument_types import INT, MAP
 from gpu_cuda.host.device import launch
-from gpu_cuda.texture.steps import COLUMNS, came_from, row_at
+from gpu_cuda.texture.steps import came_from
 
 TABLE = types.int32[:, ::1]
 
 
 @cuda.jit
-def arrive_kernel(totals, steps, max_jump, first_row, starts, block_rows, arrivals):
+def arrive_kernel(totals, steps, max_jump, patches, block_rows, origins):
     end, line = cuda.grid(2)
-    rows, patches = steps.shape[0], starts.size
+    rows = steps.shape[0]
     padded = steps.shape[1] // patches
     columns = padded - 2 * max_jump
-    if end >= patches * columns or line >= arrivals.shape[0]:
+    if end >= patches * columns or line >= origins.shape[0]:
         return
     left = end // columns * padded + max_jump
     x = left + end % columns
     top = line * block_rows
     for y in range(min(top + block_rows, rows), top, -1):
-        above = row_at(first_row, y - 1, rows)
-        x = came_from(totals[y - 1], steps[above], x, left, left + columns, max_jump)
-    arrivals[line, end] = x - left
+        x = came_from(totals[y - 1], steps[y - 1], x, left, left + columns, max_jump)
+    origins[line, end] = x - left
 
 
 @cuda.jit
-def follow_kernel(totals, steps, max_jump, first_row, begins, block_rows, paths):
+def follow_kernel(totals, steps, max_jump, begins, block_rows, paths):
     patch, line = cuda.grid(2)
     rows, patches = steps.shape[0], paths.shape[0]
     padded = steps.shape[1] // patches
@@ -44,33 +43,29 @@ def follow_kernel(totals, steps, max_jump, first_row, begins, block_rows, paths)
     x = left + begins[patch, line]
     top = line * block_rows
     for y in range(min(top + block_rows, rows), top, -1):
-        above = row_at(first_row, y - 1, rows)
-        x = came_from(totals[y - 1], steps[above], x, left, left + columns, max_jump)
-        paths[patch, above] = x - left
+        x = came_from(totals[y - 1], steps[y - 1], x, left, left + columns, max_jump)
+        paths[patch, y - 1] = x - left
 
 
 def kernels(sizes):
     """Every kernel's name, the kernel and the types of its arguments."""
-    arrive = MAP, MAP, INT, INT, COLUMNS, INT, TABLE
+    arrive = MAP, MAP, INT, INT, INT, TABLE
     yield "texture: arrive", arrive_kernel, arrive
-    yield "texture: follow", follow_kernel, (MAP, MAP, INT, INT, TABLE, INT, TABLE)
+    yield "texture: follow", follow_kernel, (MAP, MAP, INT, TABLE, INT, TABLE)
 
 
-def arrive(totals, steps, max_jump, first_row, starts, block_rows, arrivals):
+def arrive(totals, steps, max_jump, patches, block_rows, origins):
     """Find where the path from every column below every line of blocks arrives above it.
 
     Parameters
     ----------
-    arrivals : (lines, n W) int32
+    origins : (lines, n W) int32
         Receives the columns, of 0 to W - 1.
     """
-    launch(
-        arrive_kernel, arrivals.shape, totals, steps, max_jump, first_row, starts, block_rows,
-        arrivals,
-    )  # fmt: skip
+    launch(arrive_kernel, origins.shape, totals, steps, max_jump, patches, block_rows, origins)
 
 
-def follow(totals, steps, max_jump, first_row, begins, block_rows, paths):
+def follow(totals, steps, max_jump, begins, block_rows, paths):
     """Write the path of every patch.
 
     Parameters
@@ -81,7 +76,4 @@ def follow(totals, steps, max_jump, first_row, begins, block_rows, paths):
         Receives the columns.
     """
     patches, lines = begins.shape
-    launch(
-        follow_kernel, (lines, patches), totals, steps, max_jump, first_row, begins, block_rows,
-        paths,
-    )  # fmt: skip
+    launch(follow_kernel, (lines, patches), totals, steps, max_jump, begins, block_rows, paths)

@@ -9,21 +9,19 @@ from gpu_cuda.texture.blocks import Blocks
 from gpu_cuda.texture.least_closed import choose
 
 
-def best_cuts(crossing, steps, max_jump, first_row, starts, totals, paths, costs):
+def best_cuts(crossing, steps, max_jump, arrivals, totals, paths, costs):
     """As :func:`stylit_ref.texture.passes.best_cuts`, on device arrays."""
-    in_blocks(
-        Blocks.default(max_jump), crossing, steps, max_jump, first_row, starts, totals, paths, costs
-    )
+    in_blocks(Blocks.default(max_jump), crossing, steps, max_jump, arrivals, totals, paths, costs)
 
 
-def in_blocks(blocks, crossing, steps, max_jump, first_row, starts, totals, paths, costs):
+def in_blocks(blocks, crossing, steps, max_jump, arrivals, totals, paths, costs):
     """The same in blocks of a given size, which changes nothing but the time."""
     patches, rows = paths.shape
     padded = crossing.shape[1] // patches
     lines = -(-rows // blocks.rows)
-    accumulate(crossing, steps, max_jump, first_row, starts, totals, blocks)
-    arrivals = empty((lines, patches * (padded - 2 * max_jump)), np.int32)
+    accumulate(crossing, steps, max_jump, arrivals, patches, totals, blocks)
+    origins = empty((lines, patches * (padded - 2 * max_jump)), np.int32)
     begins = empty((patches, lines), np.int32)
-    arrive(totals, steps, max_jump, first_row, starts, blocks.rows, arrivals)
-    choose(totals, max_jump, starts, arrivals, begins, costs, blocks.threads)
-    follow(totals, steps, max_jump, first_row, begins, blocks.rows, paths)
+    arrive(totals, steps, max_jump, patches, blocks.rows, origins)
+    choose(totals, max_jump, arrivals, origins, begins, costs, blocks.threads)
+    follow(totals, steps, max_jump, begins, blocks.rows, paths)

@@ -5,16 +5,10 @@ from numba import types
 from gpu_cuda.host.device import device_function
 from stylit_ref.texture.formulae.polar import BLOCKED
 
-__all__ = ["BLOCKED", "COLUMNS", "came_from", "row_at", "transition"]
+__all__ = ["BLOCKED", "COLUMNS", "came_from", "transition"]
 
 COLUMNS = types.int32[::1]
-"""The type of an array with a column for each patch."""
-
-
-@device_function
-def row_at(first_row, y, rows):
-    """The row of the tables that row y of T belongs to, which begins with ``first_row``."""
-    return (first_row + y) % rows
+"""The type of an array with a value for each patch, or each column."""
 
 
 @device_function

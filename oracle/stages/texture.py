@@ -26,6 +26,7 @@ from stylit_ref.texture.passes.guide_costs import guide_costs
 from stylit_ref.texture.passes.lock import free_locked_edges
 from stylit_ref.texture.passes.new_seams import new_seams
 from stylit_ref.texture.passes.seam_maps import seam_maps
+from stylit_ref.texture.passes.use import price_use
 from stylit_ref.texture.passes.white_noise import white_noise
 
 
@@ -86,6 +87,8 @@ def _guide_costs(_, parameters, arrays):
 
 def _candidates(_, parameters, arrays):
     scene = scene_of(parameters, arrays)
+    _, sources, _, settings = scene
+    price_use(arrays["addresses"], sources.clearance, sources.centres, settings, sources.prices)
     found = []
     for cell, (y, x) in enumerate(arrays["cells"].tolist()):
         draw = parameters["attempt"] * parameters["prescreened"]
@@ -122,14 +125,15 @@ def _costs(_, parameters, arrays):
     return tables | {"saved": saved, "halved": np.int32(halved)}
 
 
-def best_cuts(passes, crossing, steps, max_jump, first_row, starts):
-    """T, the paths and their costs, for tables of (n, H, W)."""
+def best_cuts(passes, crossing, steps, max_jump, arrivals):
+    """T, the paths and their costs, for tables of (n, H, W) and arrivals of (n, W)."""
     number, rows, columns = crossing.shape
     wide = padded_crossing(crossing, max_jump), padded_steps(steps, max_jump)
-    given = [passes.upload(array) for array in (*wide, starts)]
+    arrivals = np.pad(arrivals, ((0, 0), (max_jump, max_jump))).ravel()
+    given = [passes.upload(array) for array in (*wide, arrivals)]
     shapes = (rows + 1, wide[0].shape[1]), (number, rows), (number,)
     room = [passes.zeros(shape, np.int32) for shape in shapes]
-    passes.best_cuts(*given[:2], max_jump, first_row, given[2], *room)
+    passes.best_cuts(*given[:2], max_jump, given[2], *room)
     totals, paths, costs = map(passes.download, room)
     totals = totals.reshape(rows + 1, number, -1)[:, :, max_jump : max_jump + columns]
     return totals.transpose(1, 0, 2).copy(), paths, costs
@@ -137,27 +141,21 @@ def best_cuts(passes, crossing, steps, max_jump, first_row, starts):
 
 def _cut(passes, parameters, arrays):
     found = best_cuts(
-        passes, arrays["crossing"], arrays["steps"], parameters["max_jump"],
-        parameters["first_row"], arrays["starts"],
-    )  # fmt: skip
+        passes, arrays["crossing"], arrays["steps"], parameters["max_jump"], arrays["arrivals"]
+    )
     return dict(zip(("totals", "paths", "costs"), found, strict=True))
 
 
 def _closed_cut(passes, parameters, arrays):
     crossing, steps, max_jump = arrays["crossing"], arrays["steps"], parameters["max_jump"]
-    number, rows, _ = crossing.shape
-    anywhere = np.full(number, -1, np.int32)
-    _, paths, costs = best_cuts(passes, crossing, steps, max_jump, 0, anywhere)
-    open_ones = costs < BLOCKED // 2
-    if parameters["second_pass"] and open_ones.any():
-        half = rows // 2
-        starts = np.ascontiguousarray(paths[open_ones, half])
-        _, better, cost = best_cuts(
-            passes, crossing[open_ones], steps[open_ones], max_jump, half, starts
-        )
-        paths[open_ones], costs[open_ones] = better, cost
+    arrivals = np.zeros_like(crossing[:, 0])
+    totals, paths, costs = best_cuts(passes, crossing, steps, max_jump, arrivals)
+    if parameters["second_pass"]:
+        ends = totals[:, -1].astype(np.int64)
+        arrivals = np.minimum(ends - ends.min(axis=1, keepdims=True), BLOCKED).astype(np.int32)
+        _, paths, costs = best_cuts(passes, crossing, steps, max_jump, arrivals)
         smallest = crossing[:, :, 0].sum(axis=1, dtype=np.int64)
-        least = open_ones & (smallest < costs)
+        least = smallest < costs
         paths[least], costs[least] = 0, smallest[least]
     return {"paths": paths, "costs": costs}
 
@@ -173,8 +171,8 @@ def _alignment(passes, parameters, arrays):
         steps,
     )  # fmt: skip
     inside = costs[None, :, 1:-1].copy()
-    anywhere = np.full(1, -1, np.int32)
-    _, paths, cost = best_cuts(passes, inside, steps[None, :, 1:-1].copy(), 1, 0, anywhere)
+    arrivals = np.zeros_like(inside[:, 0])
+    _, paths, cost = best_cuts(passes, inside, steps[None, :, 1:-1].copy(), 1, arrivals)
     return {"costs": inside[0], "shifts": paths[0] - parameters["max_shift"], "cost": cost[0]}
 
 

@@ -15,7 +15,7 @@ from stylit_ref.texture.passes.seam_maps import seam_maps
 
 CHOICES = {
     "max_jump": 1, "max_shift": 0, "new_limit": 0, "existing_limit": 0, "hidden_limit": 0,
-    "penalty": 0, "second_pass": False, "prescreened": 1, "coherence": 0, "tries": 1,
+    "penalty": 0, "second_pass": False, "prescreened": 1, "spread": 0, "coherence": 0, "tries": 1,
     "guide_weight": 0, "predicate": "exact", "fractions": False, "radius": 1, "eta": 1,
     "exponent": 1,
 }  # fmt: skip
@@ -80,6 +80,7 @@ def scene_of(parameters: dict, arrays: dict) -> Scene:
         bounds=np.array([0, valid.size], np.int64),
         centre_bounds=np.array([0, centres.size], np.int64),
         ring=arrays.get("ring", np.zeros((64, 2), np.int32)),
+        prices=np.zeros(valid.size, np.int64),
     )
     seam_maps(
         addresses, sources.colours, settings.stride, settings.eta, settings.exponent,

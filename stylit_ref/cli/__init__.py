@@ -11,6 +11,7 @@ import sys
 from stylit_ref import __version__
 from stylit_ref.cli import (
     doctor,
+    edit_texture,
     example,
     layers,
     oracle,
@@ -31,9 +32,23 @@ Paint a sphere, and have a whole rendering in that style. Begin with
 
   stylit-ref example scenes
 
-which copies scenes and prints a command that stylizes one."""
+which copies scenes and prints a command that stylizes one. Or make a texture of any size from a
+small picture of it:
 
-COMMANDS = example, run, replay, texture, replay_texture, layers, doctor, warm_up, oracle
+  stylit-ref texture --exemplar pebbles.png --size 1024x1024 --output texture.png"""
+
+COMMANDS = (
+    example,
+    run,
+    replay,
+    texture,
+    edit_texture,
+    replay_texture,
+    layers,
+    doctor,
+    warm_up,
+    oracle,
+)
 
 
 def command() -> None:

@@ -1,12 +1,15 @@
 """Options that name the guides of ``run``, and what together they say."""
 
 import argparse
+import math
 from collections.abc import Sequence
 
+from stylit_ref.cli.parameter_options import parsed
 from stylit_ref.errors import InputError
 from stylit_ref.files.disk.paths import split_layer
 from stylit_ref.files.guides.encoding import GuideEncoding
 from stylit_ref.files.nnf_file import read_nnf
+from stylit_ref.parameters import Number
 
 
 def add_guide_options(group: argparse._ArgumentGroup) -> None:
@@ -22,7 +25,8 @@ def add_guide_options(group: argparse._ArgumentGroup) -> None:
         "Combined,DiffDir,IndexOB",
     )  # fmt: skip
     group.add_argument(
-        "--weight", type=float, action=_OfGuide, dest="guide_weights", default={}, metavar="W",
+        "--weight", type=parsed(Number(0, math.inf)), action=_OfGuide, dest="guide_weights",
+        default={}, metavar="W",
         help="how much the --guide before it counts, against 1 for the others; with --guide-layers "
         "how much each of its layers does",
     )  # fmt: skip

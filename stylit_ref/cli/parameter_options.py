@@ -5,6 +5,8 @@ from collections.abc import Callable
 from dataclasses import Field
 from typing import Any
 
+from stylit_ref.parameters import Integer
+
 
 def parsed(kind: Any) -> Callable[[str], Any]:
     """The ``type`` of an option for a kind of parameter (:mod:`stylit_ref.parameters`)."""
@@ -16,6 +18,10 @@ def parsed(kind: Any) -> Callable[[str], Any]:
             raise argparse.ArgumentTypeError(f"is {text!r}; it must be {kind.described}") from None
 
     return parse
+
+
+whole_number: Callable[[str], Any] = parsed(Integer(0, 0))
+"""The ``type`` of an option for an integer whose range the library checks."""
 
 
 def add_parameter(

@@ -115,10 +115,20 @@ class Parser(argparse.ArgumentParser):
         if found:
             return f"{flag}: did you mean {found}?"
         if owed and not self.commands and not flag.startswith("--"):
+            if before and self._option_string_actions[before].type:
+                return f"{before}: {self._why_no_value(before, flag)}"
             named = f"{before} {flag}" if before else flag
             return f"{named}: a name cannot begin with a dash; write ./{flag}"
         nearest = _nearest(flag, self._option_string_actions)
         return f"there is no option {flag}{nearest}{_page(flag)}"
+
+    def _why_no_value(self, flag, word):
+        """What the type of an option says of a word that begins with a dash."""
+        try:
+            self._option_string_actions[flag].type(word)
+        except argparse.ArgumentTypeError as error:
+            return str(error)
+        return f"write {flag}={word}, since what begins with a dash looks like an option"
 
     def _meant(self, flag):
         """The option of the same letters, whatever the dashes, or of that name in Python."""

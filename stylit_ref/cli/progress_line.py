@@ -1,10 +1,12 @@
 """The line that shows how far a run is."""
 
 import sys
+from collections.abc import Callable, Iterable
 from types import TracebackType
 
 from tqdm import tqdm
 
+from stylit_ref.machine.kernel import Specialization, compile_missing
 from stylit_ref.stylization.progress import Step
 
 _COMPILATION = "{desc} |{bar}| {elapsed}"
@@ -31,6 +33,7 @@ class ProgressLine:
 
     def __init__(self, quiet: bool, verbose: bool = False) -> None:
         self.is_shown: bool = not quiet and sys.stderr.isatty()
+        self._quiet = quiet
         self._verbose = verbose
         self._bar: tqdm | None = None
         self._runs = False
@@ -46,8 +49,16 @@ class ProgressLine:
     ) -> None:
         self._close()
 
+    def compile(self, kernels: Callable[[], Iterable[Specialization]]) -> int:
+        """Compile what is missing of some kernels, and tell it; if quiet, leave it to the run."""
+        return 0 if self._quiet else compile_missing(kernels(), self.compiling)
+
     def compiling(self, number: int, count: int) -> None:
-        """Tell which kernel is going to be compiled."""
+        """Tell which kernel is going to be compiled; where no line is shown, how many there are."""
+        if not self.is_shown:
+            if number == 1 and not self._quiet:
+                print(f"compiling {count} kernels, once", file=sys.stderr)
+            return
         told = f"compiling kernels {number} of {count}, once"
         if number == 1:
             self._open(_COMPILATION, desc=told, total=count, leave=False)

@@ -5,6 +5,7 @@ from time import perf_counter
 
 from stylit_ref.cli.deep_images import holds_bits_of
 from stylit_ref.cli.finished import tell_finished
+from stylit_ref.cli.parameter_options import whole_number
 from stylit_ref.cli.parser import Parser
 from stylit_ref.files.colour.bit_depth import to_depth
 from stylit_ref.files.colour.profile import note_another_profile, read_colour_profile
@@ -42,11 +43,11 @@ def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
         "--fill", metavar="IMAGE", help="show this image there (default: transparent)"
     )
     parser.add_argument(
-        "--patch-size", type=int, metavar="N", dest="patch_width",
+        "--patch-size", type=whole_number, metavar="N", dest="patch_width",
         help="patch width of the run (default: what the file says; 5 if it says nothing)",
     )  # fmt: skip
     parser.add_argument(
-        "--scale", type=int, metavar="N",
+        "--scale", type=whole_number, metavar="N",
         help="how many times larger the style is (default: what the sizes say; 1 if the file does "
         "not say its style's)",
     )  # fmt: skip

@@ -15,6 +15,7 @@ from stylit_ref.cli.images_out import (
 )
 from stylit_ref.cli.method_options import add_method, add_parameters, add_preset, chosen_params
 from stylit_ref.cli.methods import offer_of
+from stylit_ref.cli.parameter_options import whole_number
 from stylit_ref.cli.parser import Parser
 from stylit_ref.cli.progress_line import ProgressLine
 from stylit_ref.machine.profiling import Profile
@@ -61,7 +62,7 @@ def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
     add_encoding_option(everyday)
     add_mask_options(everyday)
     everyday.add_argument(
-        "--seed", type=int, default=0, metavar="N",
+        "--seed", type=whole_number, default=0, metavar="N",
         help="another seed gives a variant, the same seed the same bytes (default %(default)s)",
     )  # fmt: skip
     everyday.add_argument("--quiet", action="store_true", help="print warnings and errors only")
@@ -69,7 +70,9 @@ def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
     add_parameters(parser.add_argument_group("the method in detail"), without=_EVERYDAY)
     add_other_outputs(parser.add_argument_group("other files to write"))
     machine = parser.add_argument_group("the machine")
-    machine.add_argument("--threads", type=int, metavar="N", help="threads to use (default: all)")
+    machine.add_argument(
+        "--threads", type=whole_number, metavar="N", help="threads to use (default: all)"
+    )
     machine.add_argument(
         "--backend", choices=BACKENDS, default="cpu", metavar="NAME",
         help=f"where to compute: {', '.join(BACKENDS)}; auto takes a GPU if there is one, cuda:... "

@@ -1,7 +1,7 @@
 """Images that ``texture`` reads, brought to the same channels."""
 
-import argparse
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -12,6 +12,7 @@ from stylit_ref.files.colour.bit_depth import to_depth
 from stylit_ref.files.picture import Picture, read_picture
 from stylit_ref.files.read_image import displayed
 from stylit_ref.notes import note
+from stylit_ref.texture.params import TextureParams
 
 
 class Source(NamedTuple):
@@ -50,11 +51,25 @@ def read_sources(paths: Sequence[str]) -> list[Source]:
     for path in paths:
         picture = read_picture(path)
         colours = _colours(path, picture)
+        _tell_transparent(path, picture)
         sources.append(Source(colours, picture.pixels, picture.alpha_channel is not None))
     deepest = max((source.pixels.dtype for source in sources), key=lambda dtype: dtype.itemsize)
     channels = max(source.colours.shape[2] for source in sources)
     has_alpha = any(source.has_alpha for source in sources)
     return [_alike(source, deepest, channels, has_alpha) for source in sources]
+
+
+def fitted_to(params: TextureParams, sources: Sequence[Source]) -> TextureParams:
+    """Parameters with the radius of a preset, or the largest that fits the smallest source."""
+    height, width = min((source.colours.shape[:2] for source in sources), key=min)
+    fits = 2 * ((min(height, width) + 1) // 2) - 1
+    if params.radius <= fits:
+        return params
+    note(
+        f"is {params.radius}, but {fits} is used: an exemplar has {width} x {height} pixels",
+        parameter="radius",
+    )
+    return replace(params, radius=fits, radius_end=min(params.radius_end, fits))
 
 
 def read_colours(path: str) -> NDArray[np.uint8]:
@@ -102,8 +117,8 @@ def read_labels(
     found, labels = np.unique(packed, return_inverse=True)
     if len(found) != len(exemplars):
         raise InputError(
-            f"{path}: has {len(found)} colours, and there are {len(exemplars)} exemplars; give an "
-            "--exemplar for each colour, in the order of their values, and a map whose colours do "
+            f"{path}: has {len(found)} colours, and --exemplar was given {len(exemplars)} times; "
+            "give one for each colour, in the order of their values, and a map whose colours do "
             "not blend (no JPEG)"
         )
     colours = [
@@ -115,17 +130,6 @@ def read_labels(
     return (labels.reshape(packed.shape) + 1).astype(np.uint8)
 
 
-def size_of(text: str) -> tuple[int, int]:
-    """Height and width of ``WIDTHxHEIGHT``; the ``type`` of an option."""
-    width, by, height = text.lower().partition("x")
-    try:
-        if by:
-            return int(height), int(width)
-    except ValueError:
-        pass
-    raise argparse.ArgumentTypeError(f"is {text!r}; it must be WIDTHxHEIGHT, such as 1024x1024")
-
-
 def _colours(path, picture: Picture):
     shown = displayed(path, picture)[:, :, : picture.alpha_channel]
     if shown.shape[2] not in (1, 3):
@@ -133,6 +137,15 @@ def _colours(path, picture: Picture):
             f"{path}: has {shown.shape[2]} channels; it must be grey or have red, green and blue"
         )
     return np.ascontiguousarray(shown)
+
+
+def _tell_transparent(path, picture):
+    if picture.alpha_channel is None:
+        return
+    alpha = picture.pixels[:, :, picture.alpha_channel]
+    share = np.mean(alpha < (1 if alpha.dtype == np.float32 else np.iinfo(alpha.dtype).max))
+    told = f"{share:.0%}" if share >= 0.01 else "less than 1%"
+    note(f"{path}: {told} of its pixels are transparent; they are matched as if on black")
 
 
 def _alike(source, dtype: "np.dtype[Any]", channels, has_alpha):

@@ -3,8 +3,9 @@
 import argparse
 from dataclasses import fields
 
-from stylit_ref.cli.parameter_options import add_parameter, parsed
-from stylit_ref.cli.texture_images import size_of
+from stylit_ref.cli.parameter_options import add_parameter, parsed, whole_number
+from stylit_ref.cli.positions import size_of
+from stylit_ref.cli.texture_files import add_other_files
 from stylit_ref.errors import InputError
 from stylit_ref.parameters import Number, Several
 from stylit_ref.texture.params import TEXTURE_PRESETS, TextureParams
@@ -24,7 +25,8 @@ def add_texture_options(parser: argparse.ArgumentParser) -> None:
     )  # fmt: skip
     everyday.add_argument(
         "--size", type=size_of, metavar="WxH",
-        help="width and height of the texture in pixels (default: those of a map, if there is one)",
+        help="width and height of the texture in pixels (default: those of a map or of --start, if "
+        "there is one)",
     )  # fmt: skip
     everyday.add_argument(
         "--output", required=True, metavar="IMAGE",
@@ -38,27 +40,25 @@ def add_texture_options(parser: argparse.ArgumentParser) -> None:
     )  # fmt: skip
     _add_parameters(everyday, lambda name: name in _EVERYDAY)
     everyday.add_argument(
-        "--seed", type=int, default=0, metavar="N",
+        "--seed", type=whole_number, default=0, metavar="N",
         help="another seed gives a variant, the same seed the same bytes (default %(default)s)",
     )  # fmt: skip
     everyday.add_argument("--quiet", action="store_true", help="print warnings and errors only")
+    everyday.add_argument(
+        "--start", metavar="FILE.npy",
+        help="go on with a texture that --save-coordinates wrote; --iterations counts those that "
+        "it has",
+    )  # fmt: skip
     _add_repairs(parser.add_argument_group("repair a picture"))
     _add_maps(parser.add_argument_group("say what goes where"))
     _add_parameters(
         parser.add_argument_group("the method in detail"), lambda name: name not in _EVERYDAY
     )
-    others = parser.add_argument_group("other files to write")
-    others.add_argument(
-        "--save-coordinates", metavar="FILE.npy",
-        help="write where every pixel came from, for 'stylit-ref replay-texture'",
-    )  # fmt: skip
-    others.add_argument(
-        "--save-tiled",
-        metavar="IMAGE",
-        help="write the texture twice beside and twice below itself, to see how it tiles",
-    )
+    add_other_files(parser.add_argument_group("other files to write"))
     machine = parser.add_argument_group("the machine")
-    machine.add_argument("--threads", type=int, metavar="N", help="threads to use (default: all)")
+    machine.add_argument(
+        "--threads", type=whole_number, metavar="N", help="threads to use (default: all)"
+    )
     machine.add_argument(
         "--keep-interrupted", action="store_true",
         help="let Ctrl-C end the work after the iteration that it comes in, and write the texture",
@@ -98,7 +98,15 @@ def check_options(options: argparse.Namespace) -> None:
     if options.band is not None and not options.tile_in_place:
         raise InputError("is for --tile-in-place IMAGE", parameter="band")
     if options.complete or options.tile_in_place:
-        for name in ("size", "labels", "shares", "guide_source", "guide_target"):
+        for name in (
+            "size",
+            "labels",
+            "shares",
+            "guide_source",
+            "guide_target",
+            "start",
+            "save_overlay",
+        ):
             if getattr(options, name):
                 task = "--complete" if options.complete else "--tile-in-place"
                 raise InputError(f"cannot be given with {task}; leave it out", parameter=name)
@@ -111,12 +119,14 @@ def check_options(options: argparse.Namespace) -> None:
     if not options.exemplar:
         raise InputError("is needed: the image that the texture shall look like",
                          parameter="exemplar")  # fmt: skip
-    if not (options.size or options.labels or options.guide_target):
+    if not (options.size or options.labels or options.guide_target or options.start):
         raise InputError("is needed: width and height of the texture, such as 1024x1024",
                          parameter="size")  # fmt: skip
     if bool(options.guide_source) != bool(options.guide_target):
         lacking = "guide_target" if options.guide_source else "guide_source"
         raise InputError("is needed, too: a guide has two sides", parameter=lacking)
+    if options.guide_weight is not None and not options.guide_source:
+        raise InputError("is for --guide-source and --guide-target", parameter="guide_weight")
 
 
 def _add_repairs(group):
@@ -136,7 +146,7 @@ def _add_repairs(group):
         help="change this picture near its borders so that it tiles",
     )  # fmt: skip
     group.add_argument(
-        "--band", type=int, metavar="N",
+        "--band", type=whole_number, metavar="N",
         help="with --tile-in-place: pixels this far from the border or farther stay as they are "
         "(default: a quarter of the shorter side, at most 64)",
     )  # fmt: skip

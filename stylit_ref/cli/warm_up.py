@@ -11,11 +11,15 @@ from stylit_ref.cli.parser import Parser
 from stylit_ref.cli.progress_line import ProgressLine
 from stylit_ref.machine.kernel import compile_missing
 from stylit_ref.stylization.warm_up import GUIDE_CHANNELS, SIX_GUIDES, STYLE_CHANNELS
+from stylit_ref.texture.warm_up import kernels_of_all_textures
 
 _DESCRIPTION = """\
-Compile the kernels of a run ahead and keep them on disk, so that the first picture need not wait
-for them. Runs of the same method, patch size and numbers of channels share them, whatever the size
-of the images. Without options they are those of the picture that 'stylit-ref example' leads to."""
+Compile kernels ahead and keep them on disk, so that the first picture and the first texture need
+not wait for them. Runs of the same method, patch size and numbers of channels share them, whatever
+the size of the images. Without options they are those of the picture that 'stylit-ref example'
+leads to, and those of all textures."""
+
+_COMMANDS = "run", "texture"
 
 _COMPILED_FOR = "patch_width", "vote_outliers", "schedule"
 """Parameters that decide which kernels a run calls."""
@@ -29,6 +33,9 @@ def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
         description=_DESCRIPTION,
     )
     parser.set_defaults(command=run, parser=parser)
+    parser.add_argument(
+        "--only", choices=_COMMANDS, help="compile for this command alone (default: for both)"
+    )
     add_method(parser)
     add_parameters(parser, _COMPILED_FOR)
     parser.add_argument(
@@ -47,9 +54,13 @@ def run(options: argparse.Namespace) -> None:
     """Compile, and say how much there was to do."""
     params, start = chosen_params(options), perf_counter()
     with ProgressLine(options.quiet) as line:
-        needed = offer_of(options.method).kernels(
-            params, options.style_channels, options.guide_channels
-        )
+        needed = []
+        if options.only != "texture":
+            needed += offer_of(options.method).kernels(
+                params, options.style_channels, options.guide_channels
+            )
+        if options.only != "run":
+            needed += kernels_of_all_textures()
         count = compile_missing(needed, line.compiling)
     if not options.quiet:
         seconds = perf_counter() - start

@@ -1,7 +1,7 @@
 """Where every pixel of a texture came from, as ``.npy``.
 
-The first array of a file is S, (H, W, 3) int32. The second is a text, JSON with the fact
-``exemplar_sizes``: height and width of each exemplar.
+The first array of a file is S, (H, W, 3) int32. The second is a text, JSON with the facts
+``exemplar_sizes``: height and width of each exemplar; ``iterations``; and ``idle``.
 """
 
 import json
@@ -16,7 +16,7 @@ from stylit_ref.files.npy_file import check_arrays_writable, read_arrays, write_
 
 @dataclass(frozen=True, eq=False)
 class TextureField:
-    """S, and the sizes of the exemplars that it points into.
+    """S, the sizes of the exemplars that it points into, and what was done to make it.
 
     Attributes
     ----------
@@ -24,10 +24,16 @@ class TextureField:
         For every pixel the number of its exemplar, from 0, and y and x in quarters of a pixel.
     exemplar_sizes : tuple of (int, int)
         Height and width of each.
+    iterations : int
+        How many were done, so that a session goes on with the next.
+    idle : int
+        How many of them, up to the last, changed nothing.
     """
 
     coordinates: NDArray[np.int32]
     exemplar_sizes: tuple[tuple[int, int], ...]
+    iterations: int = 0
+    idle: int = 0
 
 
 def read_texture_field(path: str | Path) -> TextureField:
@@ -65,7 +71,11 @@ def write_texture_field(path: str | Path, field: TextureField) -> None:
     InputError
         If the file cannot be written.
     """
-    facts = {"exemplar_sizes": field.exemplar_sizes}
+    facts = {
+        "exemplar_sizes": field.exemplar_sizes,
+        "iterations": field.iterations,
+        "idle": field.idle,
+    }
     write_arrays(path, [field.coordinates, np.array(json.dumps(facts))])
 
 
@@ -77,7 +87,8 @@ def _checked(coordinates, rest):
         )
     if not rest or not coordinates.size:
         raise ValueError("it does not say of which exemplars it is")
-    sizes = [tuple(map(int, size)) for size in json.loads(str(rest[0]))["exemplar_sizes"]]
+    facts = json.loads(str(rest[0]))
+    sizes = [tuple(map(int, size)) for size in facts["exemplar_sizes"]]
     if not sizes or any(len(size) != 2 or min(size) < 1 for size in sizes):
         raise ValueError(f"the sizes of its exemplars are {sizes}")
     index, y, x = np.moveaxis(coordinates, -1, 0)
@@ -86,4 +97,7 @@ def _checked(coordinates, rest):
     height, width = np.moveaxis(np.array(sizes)[index] * 4, -1, 0)
     if ((y < 0) | (y >= height) | (x < 0) | (x >= width)).any():
         raise ValueError("it points outside its exemplars")
-    return TextureField(coordinates, tuple(sizes))
+    done = [facts["iterations"], facts["idle"]]
+    if not all(isinstance(number, int) and number >= 0 for number in done):
+        raise ValueError(f"the iterations done, and those without a change, are {done}")
+    return TextureField(coordinates, tuple(sizes), *done)

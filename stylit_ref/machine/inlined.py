@@ -12,7 +12,7 @@ Compiler = Callable[[Callable[..., Any]], Callable[..., Any]]
 
 
 def inlined(function: Function) -> Function:
-    """Compile a function that only kernels call."""
+    """Compile a function that only kernels call; from Python, call its ``py_func``."""
     return njit(forceinline=True, no_cpython_wrapper=True, no_cfunc_wrapper=True)(function)
 
 

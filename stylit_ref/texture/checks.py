@@ -9,13 +9,16 @@ from numpy.typing import NDArray
 from stylit_ref.arrays import as_array
 from stylit_ref.errors import InputError, shown
 from stylit_ref.machine.memory import physical_memory
+from stylit_ref.texture.cells import largest_radius
 from stylit_ref.texture.exemplars import packed_planes, with_channels
 from stylit_ref.texture.formulae.deformation import PHASES
+from stylit_ref.texture.formulae.polar import MARGIN
+from stylit_ref.texture.params import TextureParams
 
 LARGEST_SIDE = 1 << 16
 
-_BYTES_A_PIXEL = 24
-"""Of a texture: its address, two seams, a patch on top, its colours."""
+_BYTES_A_PIXEL = 20
+"""Of a texture without patches: its address, two seams, its colours."""
 
 
 def check_size(size: tuple[int, int]) -> tuple[int, int]:
@@ -36,14 +39,23 @@ def check_size(size: tuple[int, int]) -> tuple[int, int]:
     return int(height), int(width)
 
 
-def check_memory(size: tuple[int, int]) -> None:
-    """Refuse a texture that the machine has no memory for, before any is taken."""
+def check_memory(size: tuple[int, int], params: TextureParams) -> None:
+    """Refuse a texture that the machine has no memory for, before any is taken.
+
+    The windows of patches overlap, so that small patches take more than large ones.
+    """
     height, width = size
-    needed, there = height * width * _BYTES_A_PIXEL, physical_memory()
+    radius = min(params.radius_at(params.iterations), largest_radius(size))
+    cells = max(1, height // (2 * radius)) * max(1, width // (2 * radius))
+    patches = cells * (2 * (radius + MARGIN) + 1) ** 2 * 4
+    needed, there = height * width * _BYTES_A_PIXEL + patches, physical_memory()
     if there is not None and needed > there:
+        smaller = "make it smaller"
+        if 2 * patches > needed:
+            smaller = f"make it smaller, or its patches larger than a radius of {radius}"
         raise InputError(
             f"is {width} x {height} pixels, which take about {needed / 2**30:.1f} GiB; the machine "
-            f"has {there / 2**30:.1f} GiB of memory; make it smaller",
+            f"has {there / 2**30:.1f} GiB of memory; {smaller}",
             parameter="size",
         )
 
@@ -95,6 +107,25 @@ def check_labels(
             parameter="labels",
         )
     return np.ascontiguousarray(given)
+
+
+def check_exemplar_sizes(
+    sizes: Sequence[tuple[int, int]], images: Sequence[NDArray[np.uint8]]
+) -> None:
+    """Refuse a field of other exemplars; there may be more than it knows."""
+    if len(images) < len(sizes):
+        raise InputError(
+            f"was made from {len(sizes)} exemplars, and {len(images)} was given; give all, in the "
+            "same order",
+            parameter="start",
+        )
+    for number, ((height, width), image) in enumerate(zip(sizes, images, strict=False), 1):
+        if image.shape[:2] != (height, width):
+            raise InputError(
+                f"was made from an exemplar {number} of {width} x {height} pixels, and the one "
+                f"that was given has {image.shape[1]} x {image.shape[0]}; give the same",
+                parameter="start",
+            )
 
 
 def check_coordinates(

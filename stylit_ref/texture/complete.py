@@ -12,7 +12,7 @@ from stylit_ref.errors import InputError, shown
 from stylit_ref.machine.thread_count import using_threads
 from stylit_ref.randomness.random_stream import WHITE_NOISE, random_stream
 from stylit_ref.texture.exemplars import make_exemplars, with_channels
-from stylit_ref.texture.params import TextureParams
+from stylit_ref.texture.params import TextureParams, as_texture_params
 from stylit_ref.texture.passes.white_noise import white_noise
 from stylit_ref.texture.session import TextureSession
 from stylit_ref.texture.synthesize import Progress, TextureResult, finish, run
@@ -78,6 +78,12 @@ def complete_texture(
     """
     picture, hole = with_channels(image, "the image"), as_array(hole, "hole")
     others = [with_channels(given, f"exemplar {k}") for k, given in enumerate(exemplars, 1)]
+    for k, other in enumerate(others, 1):
+        if other.shape[2] != picture.shape[2]:
+            raise InputError(
+                f"exemplar {k} and the image have {other.shape[2]} and {picture.shape[2]} channels;"
+                " make both grey, or both in colour"
+            )
     if hole.shape != picture.shape[:2] or hole.dtype != np.bool_:
         raise InputError(
             f"is {hole.dtype} of the shape {hole.shape}; it must be bool of the image's shape "
@@ -111,6 +117,8 @@ def complete_texture(
         exemplars=exemplars,
         addresses=addresses,
         history=history,
+        iterations=session.iteration,
+        idle=session.idle,
     )
 
 
@@ -167,7 +175,7 @@ def make_tileable(
 
 
 def _params(params):
-    return TextureParams.preset("complete") if params is None else params
+    return TextureParams.preset("complete") if params is None else as_texture_params(params)
 
 
 def _identity(height, width):

@@ -7,9 +7,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError, shown
-from stylit_ref.texture.cells import largest_radius
 from stylit_ref.texture.checks import check_exemplar
+from stylit_ref.texture.exemplars import Exemplars
 from stylit_ref.texture.formulae.deformation import power_table
+from stylit_ref.texture.formulae.polar import MARGIN
 from stylit_ref.texture.passes.dragged_patch import fit_dragged, write_dragged
 from stylit_ref.texture.session import TextureSession
 
@@ -30,6 +31,8 @@ class DraggedPatch:
         What the texture costs with it, less what it costs now, in units of 1/256 of M.
     addresses : (n * n,) int32
     radius : int
+    exemplars : Exemplars
+        Those that the addresses belong to.
     """
 
     y: int
@@ -39,6 +42,7 @@ class DraggedPatch:
     change: int
     addresses: NDArray[np.int32]
     radius: int
+    exemplars: Exemplars
 
 
 def drag(
@@ -53,7 +57,8 @@ def drag(
     Parameters
     ----------
     session : TextureSession
-        Patches are of its radius. They are not deformed, and none is rejected.
+        Patches are of the radius of its next iteration. They are not deformed, and none is
+        rejected.
     source : tuple of int
         The number of an exemplar, from 1, and y and x of the pixel at the patch's centre.
     place : tuple of int
@@ -68,12 +73,13 @@ def drag(
     Raises
     ------
     InputError
-        If a position is none, or too close to the exemplar's border for a patch.
+        If a position is none, or too close to the exemplar's border for a patch of the least
+        radius.
     """
     exemplar, from_y, from_x = source
     number = check_exemplar(exemplar, session.exemplars.images) - 1
     height, width = session.exemplars.images[number].shape[:2]
-    radius = min(session.params.radius, largest_radius(session.size))
+    radius = session.radius
     if not isinstance(least_radius, Integral) or not 0 <= least_radius <= radius:
         raise InputError(
             f"is {shown(least_radius)}; it must be an integer from 0 to the radius {radius}",
@@ -86,20 +92,27 @@ def drag(
     address = int(session.exemplars.addresses(at))
     if 2 * int(sources.clearance[address]) <= radius:
         raise InputError(
-            f"is {source}, too close to a border of the exemplar: the centre of a patch lies "
-            f"more than half of its radius {radius} inside",
+            f"is y = {from_y}, x = {from_x} of exemplar {exemplar}, too close to its border: the "
+            f"centre of a patch lies more than half of its radius {radius} inside",
             parameter="source",
         )
     y, x = map(int, place)
-    patch, change = np.empty(polar.radius_at.size, np.int32), np.empty(1, np.int64)
+    patch, change = np.full(polar.radius_at.size, -1, np.int32), np.empty(1, np.int64)
     fit_dragged(
         session.texture, sources, polar, settings, session.workspace(polar, settings), address, y,
         x, int(least_radius), power_table(session.params.gamma), patch, change,
     )  # fmt: skip
+    clear = int(sources.clearance[address])
+    if not (patch >= 0).any() and clear <= least_radius + MARGIN:
+        raise InputError(
+            f"is {least_radius}, but no such patch fits around {source}: the exemplar ends {clear} "
+            "pixels from there",
+            parameter="least_radius",
+        )
     side = polar.half_width.size
     covers = patch.reshape(side, side) >= 0
     colours = session.exemplars.show(np.where(patch >= 0, patch, 0)).reshape(side, side, -1)
-    return DraggedPatch(y, x, covers, colours, int(change[0]), patch, radius)
+    return DraggedPatch(y, x, covers, colours, int(change[0]), patch, radius, session.exemplars)
 
 
 def drop(session: TextureSession, patch: DraggedPatch) -> None:
@@ -111,11 +124,16 @@ def drop(session: TextureSession, patch: DraggedPatch) -> None:
     patch : DraggedPatch
     """
     polar, sources, settings = session.fitted(patch.radius)
-    change = np.empty(1, np.int64)
+    addresses, change = patch.addresses, np.empty(1, np.int64)
+    if patch.exemplars is not session.exemplars:
+        # The session has laid its exemplars out anew, for a larger radius or for fractions.
+        covered = addresses >= 0
+        coordinates = patch.exemplars.coordinates(addresses[covered])
+        addresses = addresses.copy()
+        addresses[covered] = session.exemplars.addresses(coordinates)
     write_dragged(
-        session.texture, sources, settings, patch.y, patch.x, polar.half_width, patch.addresses,
-        change,
-    )  # fmt: skip
+        session.texture, sources, settings, patch.y, patch.x, polar.half_width, addresses, change
+    )
     session.cost += int(change[0])
 
 
@@ -124,7 +142,7 @@ def _check_position(position, size, name):
     inside = isinstance(y, Integral) and isinstance(x, Integral)
     if not inside or not (0 <= y < size[0] and 0 <= x < size[1]):
         raise InputError(
-            f"is {shown(position)}; y must be an integer from 0 to {size[0] - 1}, x one from 0 to "
-            f"{size[1] - 1}",
+            f"is y = {shown(y)}, x = {shown(x)}; these must be integers of a pixel within "
+            f"{size[1]} x {size[0]}",
             parameter=name,
         )

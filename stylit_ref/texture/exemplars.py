@@ -11,6 +11,7 @@ from scipy.ndimage import distance_transform_edt
 
 from stylit_ref.arrays import as_array
 from stylit_ref.errors import InputError
+from stylit_ref.files.texture_field import TextureField
 from stylit_ref.texture.formulae.deformation import PHASES
 from stylit_ref.texture.formulae.polar import MARGIN
 
@@ -188,6 +189,17 @@ def make_exemplars(
     colours = packed_planes(pictures, border, fractions)
     clearance = distance_transform_edt(np.concatenate(valid)).astype(np.uint16)
     return Exemplars(tuple(pictures), border, fractions, colours, clearance)
+
+
+def make_field(
+    exemplars: Exemplars, addresses: NDArray[np.int32], iterations: int, idle: int
+) -> TextureField:
+    """S with the sizes of its exemplars, and how many iterations were done and changed nothing."""
+    sizes = [image.shape[:2] for image in exemplars.images]
+    return TextureField(
+        exemplars.coordinates(addresses), tuple((int(h), int(w)) for h, w in sizes), iterations,
+        idle,
+    )  # fmt: skip
 
 
 def packed_planes(

@@ -46,6 +46,7 @@ def fit(
         bounds=exemplars.bounds,
         centre_bounds=np.searchsorted(centres, exemplars.bounds),
         ring=ring(radius),
+        prices=np.zeros(exemplars.plane, np.int64),
     )
     polar = make_polar(*key)
     return Fitted(key, polar, cost_limits(polar), sources)
@@ -79,6 +80,7 @@ def make_settings(
         predicate=PREDICATES.index(params.predicate),
         second_pass=int(params.second_pass),
         prescreened=params.candidates,
+        spread=params.spread,
         coherence=round(params.coherence * 65536),
         tries=params.tries,
         has_lock=int(has_lock),

@@ -7,7 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stylit_ref.texture.formulae.polar import Polar
-from stylit_ref.texture.passes.placement import ACCEPTED, DEFORMED
+from stylit_ref.texture.formulae.seam_cost import ONE
+from stylit_ref.texture.passes.placement import ACCEPTED, DEFORMED, UNTRIED
 
 
 @dataclass(frozen=True)
@@ -60,3 +61,17 @@ class Offered(NamedTuple):
     def accepted(self) -> NDArray[np.bool_]:
         """Which were accepted."""
         return (self.outcomes == ACCEPTED) | (self.outcomes == DEFORMED)
+
+
+def told(offered: Offered, number: int, cost: int) -> Iteration:
+    """What the iteration ``number`` did, after which S costs ``cost``, in 1/256 of M."""
+    return Iteration(
+        number=number,
+        radius=offered.radius,
+        max_deformation=offered.max_deformation,
+        cells=len(offered.cells),
+        tried=int(np.count_nonzero(offered.outcomes != UNTRIED)),
+        accepted=int(np.count_nonzero(offered.accepted)),
+        deformed=int(np.count_nonzero(offered.outcomes == DEFORMED)),
+        cost=cost / ONE,
+    )

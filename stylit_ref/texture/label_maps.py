@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from scipy.ndimage import maximum_filter, minimum_filter
 
 from stylit_ref.errors import InputError, shown
+from stylit_ref.notes import note
 from stylit_ref.randomness.random_stream import LABELS, random_stream
 from stylit_ref.texture.checks import check_size
 from stylit_ref.texture.passes.white_noise import white_noise
@@ -91,6 +92,10 @@ def labels_by_shares(
             f"is {shown(given)}; it must be a number above 0 for each of the {exemplars} exemplars",
             parameter="shares",
         )
+    portions = np.array(given, np.float64) / np.sum(given)
+    if not np.allclose(portions, given):
+        wanted, told = (", ".join(f"{share:.3g}" for share in each) for each in (given, portions))
+        note(f"is {wanted}, which is taken as {told} of the texture", parameter="shares")
     # One label after the other takes the pixels of least rank in a map of its own.
     ends = np.rint(np.cumsum(given) / np.sum(given) * height * width).astype(np.int64)
     labels = np.full(height * width, exemplars, np.uint8)

@@ -35,10 +35,10 @@ def overlay(session: TextureSession) -> NDArray[np.uint8]:
     side = offered.polar.half_width.size
     reach = np.arange(side) - side // 2
     height, width = session.size
-    for cell, patch, accepted, outcome in zip(
-        offered.cells, offered.patches, judged.accepted, offered.outcomes, strict=True
+    for cell, patch, accepted, is_written in zip(
+        offered.cells, offered.patches, judged.accepted, offered.accepted, strict=True
     ):
-        if outcome == 0:
+        if not is_written:  # there is no patch, or all its cuts are blocked
             continue
         inside = np.zeros((side + 2, side + 2), np.bool_)
         inside[1:-1, 1:-1] = patch.reshape(side, side) >= 0

@@ -34,17 +34,22 @@ class TextureParams:
     eta : int
         η of M, in squared 8-bit steps.
     predicate : {"exact", "after", "before", "none"}
-        When a patch is rejected (section 6). ``before``: if its cut costs at least what it hides,
-        in the polar table, before alignment. ``exact``: if it does so, or if the cost of S would
-        not fall. ``after``: if the table says so of the patch that is left after alignment.
+        When a patch is rejected (section 6). ``exact``: if the cost of S would not fall.
+        ``before``: if its cut costs at least what it hides, in the polar table, before alignment.
+        ``after``: if the table says so of the aligned patch, and of the one without deformation.
         ``none``: never.
     weighting : {"arc_length", "printed"}
         How pieces of a cut are weighed (:mod:`stylit_ref.texture.formulae.polar`).
     second_pass : bool
-        Whether a cut is improved by a second pass, fixed half a turn on.
+        Whether a cut is looked for in two turns. The second begins with what the first paid to
+        arrive, and nearly always finds the best.
     candidates : int
         How many patches are compared with S by a sparse look before the best is cut; 1 is the
         paper's uniform choice.
+    spread : int
+        How much candidates are preferred whose part of the exemplar S uses little, in squared 8-bit
+        steps a pixel that is compared. Without it patches that are easy to fit take over, and what
+        is rare in the exemplar vanishes.
     tries : int
         How many of these choices are cut, of which the best stays.
     coherence : float
@@ -104,6 +109,11 @@ class TextureParams:
     candidates: int = parameter(
         64, Integer(1, 65536), "patches that are compared by a sparse look before the best is cut"
     )
+    spread: int = parameter(
+        400,
+        Integer(0, 65536),
+        "how much patches are preferred that the texture uses little so far; 0 for not at all",
+    )
     tries: int = parameter(1, Integer(1, 256), "how many patches are cut, of which the best stays")
     coherence: float = parameter(
         0.0, Number(0, 1), "share of candidates that continue what is nearby; pieces grow with it"
@@ -159,11 +169,31 @@ TEXTURE_PRESETS: dict[str, dict[str, Any]] = {
     "default": {},
     "paper": {
         "max_deformation": 32, "max_jump": 4, "predicate": "after", "weighting": "printed",
-        "second_pass": False, "candidates": 1, "iterations": 16,
+        "second_pass": False, "candidates": 1, "spread": 0, "iterations": 16,
     },
     "complete": {
-        "radius": 48, "radius_step": 2, "radius_end": 10, "candidates": 1024, "tries": 4,
-        "iterations": 60,
+        "radius": 48, "radius_step": 2, "radius_end": 10, "candidates": 1024, "spread": 0,
+        "tries": 4, "iterations": 60,
     },
 }  # fmt: skip
 """Changes to the defaults; ``paper`` has the settings of section 8, ``complete`` is for holes."""
+
+
+def as_texture_params(params: TextureParams | None) -> TextureParams:
+    """The parameters, or the defaults for None.
+
+    Raises
+    ------
+    InputError
+        If they are anything else, such as the name of a preset or a dict.
+    """
+    if params is None:
+        return TextureParams()
+    if isinstance(params, TextureParams):
+        return params
+    what, remedy = f"of type {type(params).__name__}", "it must be a TextureParams"
+    if isinstance(params, str):
+        what, remedy = repr(params), f"write TextureParams.preset({params!r})"
+    elif isinstance(params, dict):
+        what, remedy = "a dict", "write TextureParams(**params)"
+    raise InputError(f"is {what}; {remedy}", parameter="params")

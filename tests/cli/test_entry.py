@@ -39,3 +39,12 @@ def test_a_package_that_is_missing():
 @pytest.mark.parametrize("module", ["stylit_ref", "stylit_ref.cli"])
 def test_a_module_is_entered_as_the_program(module):
     assert entered(["-m", module, "--version"]) == (0, "")
+
+
+def test_an_interruption_while_the_library_is_loaded():
+    program = "import builtins, stylit_ref.__main__ as entry; load = builtins.__import__\n"
+    program += "def interrupted(name, *rest):\n"
+    program += "    if name == 'numba': raise KeyboardInterrupt\n"
+    program += "    return load(name, *rest)\n"
+    program += "builtins.__import__ = interrupted; entry.command()"
+    assert entered(["-c", program]) == (130, "stylit-ref: interrupted\n")

@@ -8,6 +8,7 @@ import pytest
 from cli.calls import run
 
 from stylit_ref.cli import main
+from stylit_ref.cli.progress_line import ProgressLine
 from stylit_ref.machine.kernel import kernel, rehearsal
 
 
@@ -98,8 +99,38 @@ def test_all_files_are_named_at_the_end(scene, capfd):
 
 
 def test_warm_up_says_what_it_compiled(capfd):
-    command = ["warm-up", "--guide-channels", "1", "--style-channels", "1", "--patch-size", "3"]
+    command = ["warm-up", "--only", "run", "--guide-channels", "1", "--style-channels", "1"]
+    command += ["--patch-size", "3"]
     assert main(command) == 0
-    assert re.fullmatch(r"compiled \d+ of 10 kernels in [\d.]+ s\n", capfd.readouterr().err)
+    pattern = r"(compiling \d+ kernels, once\n)?compiled \d+ of 10 kernels in [\d.]+ s\n"
+    assert re.fullmatch(pattern, capfd.readouterr().err)
     assert main(command) == 0
     assert capfd.readouterr().err.startswith("compiled 0 of 10 kernels in ")
+
+
+def test_warm_up_compiles_textures_too(monkeypatch):
+    compiled = []
+    monkeypatch.setattr(
+        "stylit_ref.cli.warm_up.compile_missing", lambda kernels, _: compiled.extend(kernels) or 0
+    )
+    counts, textures = {}, {"_iterate", "_guide_costs", "_fit_dragged", "_write_dragged"}
+    for only, found in (("run", set()), ("texture", textures), (None, textures)):
+        compiled.clear()
+        assert main(["warm-up", *(["--only", only] if only else [])]) == 0
+        assert {each.dispatcher.__name__ for each in compiled} & textures == found
+        counts[only] = len(compiled)
+    assert counts[None] == counts["run"] + counts["texture"]
+
+
+@pytest.mark.parametrize("count", [1, 3])
+def test_compilation_is_told_without_a_terminal(capfd, count):
+    with ProgressLine(quiet=False) as line:
+        for number in range(1, count + 1):
+            line.compiling(number, count)
+    assert capfd.readouterr().err == f"compiling {count} kernels, once\n"
+
+
+def test_quiet_does_not_ask_what_is_compiled(capfd):
+    with ProgressLine(quiet=True) as line:
+        assert line.compile(lambda: pytest.fail("was asked")) == 0
+    assert capfd.readouterr().err == ""

@@ -6,18 +6,22 @@ import signal
 import numpy as np
 import pytest
 from cli.calls import refused
-from small_textures import quick, spots
+from small_textures import identity, quick, spots
 
 from stylit_ref import (
+    TextureField,
     TextureParams,
+    TextureSession,
     complete_texture,
     make_tileable,
+    overlay,
     read_image,
     synthesize_texture,
     write_image,
+    write_texture_field,
 )
 from stylit_ref.cli import main
-from stylit_ref.cli.texture_images import size_of
+from stylit_ref.cli.positions import size_of
 
 QUICK = ["--radius", "8", "--iterations", "4", "--candidates", "8"]
 PARAMS = quick(iterations=4, candidates=8)
@@ -37,6 +41,8 @@ def folder(tmp_path):
     hole = np.zeros((48, 48), np.uint8)
     hole[10:20, 20:40] = 255
     write_image(tmp_path / "hole.png", hole)
+    saved = TextureField(identity(40, 56) // 2 * np.array([0, 1, 1], np.int32), ((48, 48),))
+    write_texture_field(tmp_path / "saved.npy", saved)
     return tmp_path
 
 
@@ -94,6 +100,7 @@ def test_labels_choose_exemplars_by_their_values(folder, capsys):
     expected = synthesize_texture([spots(0), spots(1)], (40, 56), PARAMS, labels=labels)
     assert np.array_equal(written(folder), expected.image)
     said = capsys.readouterr().err
+    assert "less than 1 %" not in said
     assert f"colour 0 is {folder / '0.png'}; 200 is {folder / '1.png'}" in said
 
 
@@ -121,6 +128,17 @@ def test_holes_are_filled(folder, capsys):
     assert np.array_equal(written(folder), complete_texture(spots(0), hole, SMALL).image)
     assert texture(folder, "--complete", "0.png", "--mask", "hole.png", "--inverted-mask") == 0
     assert np.array_equal(written(folder), complete_texture(spots(0), ~hole, SMALL).image)
+
+
+def test_a_radius_that_nobody_gave_fits_between_holes(folder, capsys):
+    known = np.zeros((48, 48), np.uint8)
+    known[10:25, 5:40] = 255
+    write_image(folder / "known.png", known)
+    assert main([
+        "texture", "--complete", f"{folder / '0.png'}", "--mask", f"{folder / 'known.png'}",
+        "--inverted-mask", "--iterations", "2", "--output", f"{folder / 'out.png'}",
+    ]) == 0  # fmt: skip
+    assert "note: --radius is 47, but 15 is used: between its holes, " in capsys.readouterr().err
 
 
 def test_holes_are_filled_from_an_exemplar(folder):
@@ -182,6 +200,85 @@ def test_thin_textures(folder, size):
     assert written(folder).shape[:2] == size_of(size)
 
 
+def test_a_saved_texture_goes_on(folder):
+    whole = ["--exemplar", "0.png", "--size", "56x40", "--seed", 3]
+    assert texture(folder, *whole) == 0
+    expected = (folder / "out.png").read_bytes()
+    assert texture(folder, *whole, "--iterations", 1, "--save-coordinates", "s.npy") == 0
+    assert (folder / "out.png").read_bytes() != expected
+    for size in ([], ["--size", "56x40"]):
+        goes_on = ["--exemplar", "0.png", "--seed", 3, "--start", "s.npy", *size]
+        assert texture(folder, *goes_on) == 0
+        assert (folder / "out.png").read_bytes() == expected
+
+
+def test_a_texture_that_has_all_its_iterations_is_told(folder, capsys):
+    assert texture(
+        folder, "--exemplar", "0.png", "--size", "56x40", "--save-coordinates", "s.npy"
+    ) == 0  # fmt: skip
+    before = (folder / "out.png").read_bytes()
+    capsys.readouterr()
+    assert texture(folder, "--exemplar", "0.png", "--start", "s.npy") == 0
+    assert "s.npy: has 4 iterations already; give --iterations a larger number" in (
+        capsys.readouterr().err
+    )
+    assert (folder / "out.png").read_bytes() == before
+
+
+def test_the_overlay_is_that_of_the_library(folder):
+    begins = ["--exemplar", "0.png", "--size", "56x40", "--save-coordinates", "s.npy"]
+    assert texture(folder, *begins, "--save-overlay", "seams.png") == 0
+    session = TextureSession([spots(0)], (40, 56), PARAMS)
+    for _ in range(4):
+        session.step()
+    expected = overlay(session)
+    assert np.array_equal(written(folder, "seams.png"), expected)
+    later = ["--exemplar", "0.png", "--start", "s.npy", "--save-overlay", "again.png"]
+    assert texture(folder, *later) == 0
+    assert np.array_equal(written(folder, "again.png"), expected)
+
+
+def test_an_exemplar_that_has_gone_is_told(folder, capsys):
+    write_image(folder / "flat.png", np.full((48, 48, 3), 90, np.uint8))
+    assert texture(
+        folder, "--exemplar", "flat.png", "--size", "32x32", "--save-coordinates", "s.npy"
+    ) == 0  # fmt: skip
+    capsys.readouterr()
+    both = ["--exemplar", "flat.png", "--exemplar", "0.png", "--start", "s.npy"]
+    assert texture(folder, *both) == 0
+    assert "note: exemplar 2 has less than 1 % of the texture; shares" in capsys.readouterr().err
+
+
+def test_shares_that_are_no_shares_are_told(folder, capsys):
+    both = ["--exemplar", "0.png", "--exemplar", "1.png", "--size", "20x20"]
+    assert texture(folder, *both, "--shares", "1,1") == 0
+    assert "note: --shares is 1, 1, which is taken as 0.5, 0.5" in capsys.readouterr().err
+    assert texture(folder, *both, "--shares", "0.25,0.75") == 0
+    assert "--shares" not in capsys.readouterr().err
+
+
+def test_what_is_transparent_in_an_exemplar_is_told(folder, capsys):
+    leaf = np.dstack([spots(0), np.full((48, 48), 255, np.uint8)])
+    leaf[:, :12, 3] = 0
+    write_image(folder / "leaf.png", leaf)
+    assert texture(folder, "--exemplar", "leaf.png", "--size", "20x20") == 0
+    assert "leaf.png: 25% of its pixels are transparent; they are matched as if on black" in (
+        capsys.readouterr().err
+    )
+    assert written(folder).shape[2] == 4
+
+
+def test_a_mask_that_is_a_photograph_is_told(folder, capsys):
+    ramp = np.tile(np.linspace(0, 255, 48).astype(np.uint8), (48, 1))
+    write_image(folder / "ramp.png", ramp)
+    assert texture(folder, "--complete", "0.png", "--mask", "ramp.png") == 0
+    assert "ramp.png: 79% of it is neither black nor white; a mask is white" in (
+        capsys.readouterr().err
+    )
+    assert texture(folder, "--complete", "0.png", "--mask", "hole.png") == 0
+    assert "neither black nor white" not in capsys.readouterr().err
+
+
 REFUSALS = [
     ([], "--exemplar is needed"),
     (["--exemplar", "0.png"], "--size is needed: width and height"),
@@ -202,7 +299,10 @@ REFUSALS = [
     (["--tile-in-place", "0.png", "--size", "9x9"], "--size cannot be given with --tile-in-place"),
     (["--tile-in-place", "0.png", "--exemplar", "1.png"], "--exemplar cannot be given with"),
     (["--tile-in-place", "0.png", "--complete", "1.png"], "--complete and --tile-in-place"),
-    (["--exemplar", "0.png", "--labels", "labels.png"], "labels.png: has 2 colours, and there are"),
+    (
+        ["--exemplar", "0.png", "--labels", "labels.png"],
+        "labels.png: has 2 colours, and --ex",
+    ),
     (
         ["--exemplar", "0.png", "--exemplar", "1.png", "--labels", "labels.png", "--size", "9x9"],
         "labels.png: has 56 x 40 pixels, and --size is 9 x 9",
@@ -213,6 +313,19 @@ REFUSALS = [
         ["--exemplar", "0.png", "--guide-source", "labels.png", "--guide-target", "1.png"],
         "the guide of exemplar 1 has 56 x 40 pixels, the exemplar 48 x 48",
     ),
+    (
+        ["--exemplar", "0.png", "--size", "20x20", "--guide-weight", 2],
+        "--guide-weight is for --guide-source and --guide-target",
+    ),
+    (["--complete", "0.png", "--mask", "hole.png", "--start", "s.npy"], "--start cannot be given"),
+    (["--tile-in-place", "0.png", "--save-overlay", "o.png"], "--save-overlay cannot be given"),
+    (["--exemplar", "0.png", "--start", "s.npy"], "s.npy: cannot be read"),
+    (
+        ["--exemplar", "1.png", "--start", "saved.npy", "--size", "9x9"],
+        "saved.npy: has 56 x 40 pixels, and --size is 9 x 9; leave --size out",
+    ),
+    (["--exemplar", "labels.png", "--start", "saved.npy"], "--start was made from an exemplar 1"),
+    (["--exemplar", "0.png", "--size", "20x20", "--save-overlay", "0.png"], "0.png: the output"),
     (["--exemplar", "0.png", "--size", "20x20", "--seed", -1], "--seed is -1; it must be"),
     (["--exemplar", "0.png", "--size", "20x20", "--threads", 0], "--threads is 0; it must be"),
     (["--exemplar", "0.png", "--size", "20x20", "--save-coordinates", "s.png"], "s.png: the file"),
@@ -228,7 +341,7 @@ def test_bad_input_is_refused_and_nothing_written(folder, capsys, options, said)
     assert {file.name: file.read_bytes() for file in folder.iterdir()} == before
 
 
-@pytest.mark.parametrize("text", ["1024", "x", "10x", "axb", "1.5x2"])
+@pytest.mark.parametrize("text", ["1024", "x", "10x", "axb", "1.5x2", "-5x5", "-5"])
 def test_a_size_is_width_by_height(folder, capsys, text):
     with pytest.raises(SystemExit) as end:
         texture(folder, "--exemplar", "0.png", "--size", text)
@@ -236,10 +349,18 @@ def test_a_size_is_width_by_height(folder, capsys, text):
     assert f"--size: is '{text}'; it must be WIDTHxHEIGHT" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize("option", ["--seed", "--threads", "--band", "--iterations"])
+def test_a_number_is_a_number(folder, capsys, option):
+    with pytest.raises(SystemExit) as end:
+        texture(folder, "--exemplar", "0.png", option, "many")
+    assert end.value.code == 2
+    assert f"{option}: is 'many'; it must be an integer (--help" in capsys.readouterr().err
+
+
 def test_a_texture_beyond_memory_is_refused_before_it_is_taken(folder, capsys, monkeypatch):
     monkeypatch.setattr("stylit_ref.texture.checks.physical_memory", lambda: 2**30)
     said = refused(capsys, texture(folder, "--exemplar", "0.png", "--size", "8192x8192"))
-    assert "take about 1.5 GiB; the machine has 1.0 GiB of memory; make it smaller" in said
+    assert "take about 1.7 GiB; the machine has 1.0 GiB of memory; make it smaller" in said
 
 
 def test_a_map_that_does_not_match_is_refused(folder, capsys):

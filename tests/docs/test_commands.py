@@ -25,7 +25,6 @@ import pytest
 from exr_files import write_exr
 from markdown_it import MarkdownIt
 from skimage.io import imsave
-from small_textures import spots
 
 from data_gen.guides import LIGHT_PASSES
 from data_gen.multilayer_exr import write_layers
@@ -47,6 +46,7 @@ NOT_RUN = ("not-run: installs packages", "not-run: needs a GPU", "not-run: write
 HELP = {
     "stylit-ref run": "stylit_ref.cli run",
     "stylit-ref texture": "stylit_ref.cli texture",
+    "stylit-ref edit-texture": "stylit_ref.cli edit-texture",
     "stylit-ref replay-texture": "stylit_ref.cli replay-texture",
     "python -m eval dzurenko": "eval dzurenko",
     "python -m eval gpu": "eval gpu",
@@ -156,23 +156,7 @@ def own_images(scratch):
         imsave(scratch / f"{name}.png", small(f"{image}.png"), check_contrast=False)
 
 
-def textures(scratch):
-    """Exemplars, maps of them, and maps of what goes where."""
-    for number, name in enumerate(("pebbles", "wall", "grass", "gravel", "meadow")):
-        imsave(scratch / f"{name}.png", spots(number, 128), check_contrast=False)
-    for name in ("pebbles_normals", "meadow_density"):
-        imsave(scratch / f"{name}.png", spots(9, 128), check_contrast=False)
-    imsave(scratch / "pebbles_4x.png", spots(0, 512), check_contrast=False)
-    y, x = np.mgrid[:256, :256]
-    imsave(scratch / "density.png", np.dstack([x] * 3).astype(np.uint8), check_contrast=False)
-    path = np.where(np.abs(y - x) < 40, 255, 0).astype(np.uint8)
-    imsave(scratch / "path.png", path, check_contrast=False)
-    holes = np.where(np.hypot(y - 60, x - 60) < 20, 255, 0).astype(np.uint8)[:128, :128]
-    imsave(scratch / "holes.png", holes, check_contrast=False)
-
-
 PREPARED = {
-    "docs/how_to/textures.md": (textures,),
     "README.md": (own_images,),
     "docs/how_to/renderer_passes.md": (passes_of_blender, rendered_passes),
     "docs/how_to/from_ebsynth.md": (images_of_ebsynth,),

@@ -28,13 +28,13 @@ def tables(rng, patches, rows, columns, max_jump, largest=1000):
     return crossing.reshape(rows, -1), steps.reshape(rows, -1)
 
 
-def outputs(module, best_cuts, crossing, steps, max_jump, first_row, starts):
+def outputs(module, best_cuts, crossing, steps, max_jump, arrivals, patches):
     """T, the paths and their costs, computed by a module of passes."""
     rows, size = crossing.shape
-    shapes = (rows + 1, size), (starts.size, rows), (starts.size,)
-    given = [module.upload(array) for array in (crossing, steps, starts)]
+    shapes = (rows + 1, size), (patches, rows), (patches,)
+    given = [module.upload(array) for array in (crossing, steps, arrivals)]
     found = [module.upload(np.full(shape, -7, np.int32)) for shape in shapes]
-    best_cuts(*given[:2], max_jump, first_row, given[2], *found)
+    best_cuts(*given[:2], max_jump, given[2], *found)
     return [module.download(array) for array in found]
 
 
@@ -76,8 +76,8 @@ def test_blocks_of_any_size_give_the_bytes_of_the_cpu(max_jump, columns, blocks)
     """Widths that are no multiple of the block's, with the padding on either side."""
     rng = np.random.default_rng(1000 * max_jump + columns)
     given = tables(rng, 3, ROWS, columns, max_jump)
-    starts = np.array([-1, columns // 2, -1], np.int32)
-    _, paths, costs = assert_equal_cuts(blocks, *given, max_jump, ROWS // 2, starts)
+    arrivals = rng.integers(0, 2000, given[0].shape[1], dtype=np.int32)
+    _, paths, costs = assert_equal_cuts(blocks, *given, max_jump, arrivals, 3)
     assert costs.min() < BLOCKED // 2
     assert 0 <= paths.min() <= paths.max() < columns
 
@@ -86,39 +86,35 @@ def test_blocks_of_any_size_give_the_bytes_of_the_cpu(max_jump, columns, blocks)
 def test_the_default_blocks(max_jump):
     rng = np.random.default_rng(7)
     crossing, steps = tables(rng, 2, 5, 40, max_jump)
-    starts = np.full(2, -1, np.int32)
-    host = outputs(OnHost, passes.best_cuts, crossing, steps, max_jump, 0, starts)
-    device = outputs(gpu_cuda, gpu_cuda.texture.best_cuts, crossing, steps, max_jump, 0, starts)
+    given = crossing, steps, max_jump, np.zeros_like(crossing[0]), 2
+    host = outputs(OnHost, passes.best_cuts, *given)
+    device = outputs(gpu_cuda, gpu_cuda.texture.best_cuts, *given)
     for ours, theirs in zip(device, host, strict=True):
         np.testing.assert_array_equal(ours, theirs)
 
 
 def test_of_equal_paths_that_on_the_left_is_taken():
     crossing, steps = tables(np.random.default_rng(3), 4, ROWS, 9, 2, largest=5)
-    starts = np.full(4, -1, np.int32)
-    assert_equal_cuts(Blocks(5, 2, 2), crossing, steps, 2, 0, starts)
+    assert_equal_cuts(Blocks(5, 2, 2), crossing, steps, 2, np.zeros_like(crossing[0]), 4)
 
 
 def test_where_all_is_blocked_the_path_stays_in_the_table():
     crossing, steps = tables(np.random.default_rng(4), 2, ROWS, 6, 2)
     crossing[3, : crossing.shape[1] // 2] = BLOCKED
-    starts = np.array([-1, -1], np.int32)
     steps[:] = 0
-    _, paths, costs = assert_equal_cuts(Blocks(4, 2, 2), crossing, steps, 2, 0, starts)
+    given = crossing, steps, 2, np.zeros_like(crossing[0]), 2
+    _, paths, costs = assert_equal_cuts(Blocks(4, 2, 2), *given)
     assert costs[0] >= BLOCKED // 2 > costs[1]
     assert 0 <= paths.min() <= paths.max() < 6
 
 
-def test_the_second_pass_begins_half_a_turn_on():
-    """In the column of the first one's cut; so it ends there, and is no worse."""
+def test_the_second_pass_begins_with_what_the_first_paid_to_arrive():
     crossing, steps = tables(np.random.default_rng(5), 3, ROWS, 8, 2)
-    blocks, half = Blocks(4, 3, 2), ROWS // 2
-    anywhere = np.full(3, -1, np.int32)
-    _, first, before = assert_equal_cuts(blocks, crossing, steps, 2, 0, anywhere)
-    starts = np.ascontiguousarray(first[:, half])
-    _, second, after = assert_equal_cuts(blocks, crossing, steps, 2, half, starts)
-    np.testing.assert_array_equal(second[:, half], starts)
-    assert (after <= before).all()
+    blocks, arrivals = Blocks(4, 3, 2), np.zeros_like(crossing[0])
+    totals, _, _ = assert_equal_cuts(blocks, crossing, steps, 2, arrivals, 3)
+    ends = totals[-1].reshape(3, -1)
+    arrivals = np.minimum(ends - ends.min(axis=1, keepdims=True), BLOCKED).ravel()
+    assert_equal_cuts(blocks, crossing, steps, 2, arrivals, 3)
 
 
 def test_the_alignment_is_found_by_the_same_kernels():
@@ -127,8 +123,8 @@ def test_the_alignment_is_found_by_the_same_kernels():
         crossing, _ = tables(np.random.default_rng(6), 3, ROWS, 11, 1)
         sums = np.tile(np.arange(13, dtype=np.int32) * penalty, 3)
         steps = np.ascontiguousarray(np.broadcast_to(sums, crossing.shape))
-        starts = np.full(3, -1, np.int32)
-        _, shifts, _ = assert_equal_cuts(Blocks(5, 4, 2), crossing, steps, 1, 0, starts)
+        arrivals = np.zeros_like(crossing[0])
+        _, shifts, _ = assert_equal_cuts(Blocks(5, 4, 2), crossing, steps, 1, arrivals, 3)
         assert (np.abs(np.diff(shifts, axis=1)) <= 1).all()
 
 

@@ -76,6 +76,9 @@ MISTAKES = {
         "int(shown)), 200000)",
         "candidates",
     ),
+    "candidates without a price": ("total = price(p, a, chosen)", "total = 0", "candidates"),
+    "a price for the whole disc": ('p["radius"] // 2', 'p["radius"]', "candidates"),
+    "candidates seen without the guide": ('if p.get("guide_weight"):', "if False:", "candidates"),
     "a lock that is ignored": (
         "return self.anything_locked and bool(",
         "return bool(0) and bool(",
@@ -130,9 +133,19 @@ MISTAKES = {
         "cut",
     ),
     "a cut that need not close": ("if follow(origins, x)[0] == x]", "]", "cut"),
-    "a second pass from the first row": (
-        "jump, half, path[half])",
-        "jump, 0, path[0])",
+    "a first row that one arrives in for nothing": (
+        "min(int(arrivals[x]) + int(crossing[0, x]), BLOCKED)",
+        "int(crossing[0, x])",
+        "cut",
+    ),
+    "a turn that pays for the one before": (
+        "totals[-1, x] - arrivals[x]",
+        "totals[-1, x]",
+        "cut",
+    ),
+    "a second pass like the first": (
+        "arrivals = [min(end - min(ends), BLOCKED) for end in ends]",
+        "arrivals = [0 for end in ends]",
         "closed_cut",
     ),
     "the smallest cut forgotten": ("if smallest < cost:", "if False:", "closed_cut"),
@@ -148,6 +161,7 @@ MISTAKES = {
         "(cost >> patch.halved)",
         "alignment",
     ),
+    "locked pixels that an alignment pays for": ("0 if free else r10(", "r10(", "alignment"),
     "quarters of x before those of y": (
         "4 * (qy % 4) + qx % 4",
         "4 * (qx % 4) + qy % 4",
@@ -168,6 +182,16 @@ MISTAKES = {
         "        if pixels is not None:",
         "iteration",
     ),
+    "exact patches that the table rejects": (
+        'p["predicate"] == "before" and best[0]',
+        'p["predicate"] in ("before", "exact") and best[0]',
+        "iteration",
+    ),
+    "a patch given up with its deformation": (
+        "outcome == ACCEPTED and cost >= 0:",
+        'outcome == ACCEPTED and (cost >= 0 or p["max_shift"] > 0 and bent_change < changed):',
+        "iteration",
+    ),
     "the last of several cuts": ("or cost << patch.halved < best[0]", "or True", "iteration"),
     "cuts compared as halved": (
         "cost << patch.halved < best[0]",
@@ -177,7 +201,11 @@ MISTAKES = {
     "a step of the cut that costs nothing": ("stepped + along +", "along +", "iteration"),
     "the inside of a patch not halved": (">> patch.halved) - hides", ") - hides", "iteration"),
     "what is hidden forgotten": ("patch.halved) - hides", "patch.halved)", "iteration"),
-    "deformation whether it helps or not": ("if bent_change < changed:", "if True:", "iteration"),
+    "deformation whether it helps or not": (
+        "if bent_change < changed and",
+        "if True and",
+        "iteration",
+    ),
 }
 
 

@@ -15,6 +15,6 @@ def test_where_every_cut_is_blocked_the_path_has_columns_of_the_table():
     steps = np.zeros_like(crossing)
     totals = np.empty((rows + 1, crossing.shape[1]), np.int32)
     paths, costs = np.empty((1, rows), np.int32), np.empty(1, np.int32)
-    best_cuts(crossing, steps, jump, 0, np.full(1, -1, np.int32), totals, paths, costs)
+    best_cuts(crossing, steps, jump, np.zeros_like(crossing[0]), totals, paths, costs)
     assert costs[0] >= BLOCKED // 2
     assert 0 <= paths.min() <= paths.max() < columns

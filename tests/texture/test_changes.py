@@ -6,6 +6,7 @@ from texture.small_exemplars import blobs, stripes
 
 from stylit_ref.errors import InputError
 from stylit_ref.texture.formulae.polar import make_polar
+from stylit_ref.texture.painting import paint
 from stylit_ref.texture.params import TextureParams
 from stylit_ref.texture.session import TextureSession
 
@@ -75,6 +76,6 @@ def test_a_guide_before_does_not_change_what_painting_does():
         if leftovers:
             for room in session._work[1]:
                 room[:] = 77
-        session.paint(mask, 1)
+        paint(session, mask, 1)
         painted.append(session.coordinates)
     np.testing.assert_array_equal(*painted)

@@ -42,6 +42,22 @@ def test_what_is_dropped_is_what_was_shown(session, place):
     assert np.array_equal(session.coordinates[place], [1, 80, 60])
 
 
+def test_what_is_dropped_is_the_same_after_a_new_layout(session):
+    patch = drag(session, (2, 20, 15), (20, 30))
+    session.step(quick(radius=session.params.radius + 3, iterations=0))
+    assert session.exemplars is not patch.exemplars
+    drop(session, patch)
+    assert session.cost == session.recount()
+    y, x = np.argwhere(patch.covers).T - len(patch.covers) // 2
+    expected = np.stack([np.ones_like(y), 80 + 4 * y, 60 + 4 * x], axis=-1)
+    assert np.array_equal(session.coordinates[20 + y, 30 + x], expected)
+
+
+def test_a_least_radius_beyond_the_exemplar_is_one_sentence(session):
+    with pytest.raises(InputError, match="the exemplar ends 6 pixels from there"):
+        drag(session, (1, 5, 20), (20, 30), least_radius=8)
+
+
 @pytest.mark.parametrize("least", [1, 5, 7])
 def test_a_patch_has_at_least_the_least_radius(session, least):
     covers = drag(session, (1, 20, 24), (20, 30), least_radius=least).covers
@@ -54,9 +70,9 @@ def test_a_patch_has_at_least_the_least_radius(session, least):
     ("source", "place", "least", "said"),
     [
         ((3, 20, 20), (20, 30), 1, "exemplar is 3; it must be an integer from 1 to 2"),
-        ((1, 48, 20), (20, 30), 1, "source is (48, 20); y must be an integer from 0 to 47"),
-        ((1, 2, 20), (20, 30), 1, "source is (1, 2, 20), too close to a border of the exemplar"),
-        ((1, 20, 20), (20, 64), 1, "place is (20, 64); y must be"),
+        ((1, 48, 20), (20, 30), 1, "source is y = 48, x = 20; these must be integers of a"),
+        ((1, 2, 20), (20, 30), 1, "source is y = 2, x = 20 of exemplar 1, too close to"),
+        ((1, 20, 20), (20, 64), 1, "place is y = 20, x = 64; these must be"),
         ((1, 20, 20), (20, 30), 9, "least_radius is 9; it must be an integer from 0 to the radius"),
     ],
 )

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from small_textures import quick, spots
 
-from stylit_ref import InputError, TextureSession, overlay
+from stylit_ref import InputError, TextureSession, overlay, paint
 
 EXEMPLARS = [spots(1), 255 - spots(2, 40)]
 STROKE = np.zeros((50, 64), np.bool_)
@@ -24,7 +24,7 @@ def begun(**named):
 def test_a_stroke_is_filled_at_once_and_nothing_else_changes():
     session = begun()
     before = session.coordinates
-    done = session.paint(STROKE, 2, iterations=6)
+    done = paint(session, STROKE, 2, iterations=6)
     assert np.array_equal(session.coordinates[~STROKE], before[~STROKE])
     assert (session.coordinates[STROKE][:, 0] == 1).all()
     assert sum(each.accepted for each in done) > 0
@@ -33,7 +33,7 @@ def test_a_stroke_is_filled_at_once_and_nothing_else_changes():
 
 def test_later_iterations_keep_what_was_painted():
     session = begun()
-    session.paint(STROKE, 2)
+    paint(session, STROKE, 2)
     for _ in range(4):
         session.step()
         assert session.cost == session.recount()
@@ -46,21 +46,21 @@ def test_locked_pixels_are_not_painted():
     lock[:20] = True
     session = begun(lock=lock)
     before = session.coordinates
-    session.paint(STROKE, 2)
+    paint(session, STROKE, 2)
     assert np.array_equal(session.coordinates[lock], before[lock])
     assert (session.coordinates[STROKE & ~lock][:, 0] == 1).all()
 
 
 def test_a_texture_without_labels_can_be_painted():
     session = TextureSession(EXEMPLARS, (50, 64), quick())
-    session.paint(STROKE, 2)
+    paint(session, STROKE, 2)
     assert (session.coordinates[STROKE][:, 0] == 1).all()
     assert session.texture.labels.size == 1
 
 
 def test_an_empty_stroke_does_nothing():
     session = begun()
-    assert session.paint(np.zeros_like(STROKE), 2) == []
+    assert paint(session, np.zeros_like(STROKE), 2) == []
 
 
 @pytest.mark.parametrize(
@@ -73,7 +73,7 @@ def test_an_empty_stroke_does_nothing():
 def test_strokes_that_do_not_fit_are_refused(mask, exemplar, said):
     session = begun()
     with pytest.raises(InputError) as error:
-        session.paint(mask, exemplar)
+        paint(session, mask, exemplar)
     assert str(error.value).startswith(said)
 
 

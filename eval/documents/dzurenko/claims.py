@@ -5,40 +5,13 @@ cannot be judged with what was measured. If targets disagree, the majority decid
 seeds were run, a difference smaller than their spread does not count.
 """
 
-from typing import NamedTuple
-
 import numpy as np
 import pandas as pd
 from scipy.stats import spearmanr
 
 from eval.documents.dzurenko.printed import EPSILON, EPSILONS, LAMBDA, UNIFORMITIES
+from eval.pages.claims import OPEN, Claim, majority, verdict
 from eval.runs.store import numbers_of, stored
-
-HELD, NOT_HELD, OPEN = "held", "not held", "cannot be judged here"
-
-
-class Claim(NamedTuple):
-    """A claim and its verdict.
-
-    Attributes
-    ----------
-    claim, section : str
-        The claim of the thesis, and its section.
-    verdict : {"held", "not held", "cannot be judged here"}
-    rule : str
-        When the claim counts as held.
-    evidence : str
-        Our figures.
-    of_time : bool
-        Whether the claim is about times.
-    """
-
-    claim: str
-    section: str
-    verdict: str
-    rule: str
-    evidence: str
-    of_time: bool = False
 
 
 def claims(plan, similarities):
@@ -53,8 +26,7 @@ def claims(plan, similarities):
 
     Returns
     -------
-    pandas.DataFrame
-        Columns as :class:`Claim`.
+    list of Claim
     """
     found = [
         _best_lambda(plan),
@@ -68,11 +40,7 @@ def claims(plan, similarities):
     ]
     if plan.scheduler:  # different machines may have done the runs
         found = [claim._replace(verdict=OPEN) if claim.of_time else claim for claim in found]
-    return pd.DataFrame(found).drop(columns="of_time")
-
-
-def _majority(votes):
-    return HELD if sum(votes) > len(votes) / 2 else NOT_HELD
+    return found
 
 
 def _best_lambda(plan):
@@ -89,7 +57,7 @@ def _best_lambda(plan):
     return Claim(
         "The best λ lies between 5000 and 15000",
         "4.3",
-        _majority([5000 <= uniformity <= 15000 for uniformity in best.values()]),
+        majority([5000 <= uniformity <= 15000 for uniformity in best.values()]),
         "on most targets the knee lies there: what λ has gained in patch distance, as a share of "
         "all it can, exceeds most what it has cost in image energy; the thesis judged by eye",
         f"knee: {found}",
@@ -121,7 +89,7 @@ def _washout(plan):
     return Claim(
         "λ = 0 washes out the style",
         "4.3",
-        _majority(votes),
+        majority(votes),
         "on most targets the patch distance to the style is larger at λ = 0 than at λ = 10000 and "
         "the output less rich in detail, by more than seeds differ where several were run",
         "patch distance, richness and sharpness at λ = 0 and 10000: "
@@ -147,7 +115,7 @@ def _slower(plan):
     return Claim(
         "The larger λ, the slower",
         "4.3",
-        _majority([trend > 0.8 for trend in trends.values()]),
+        majority([trend > 0.8 for trend in trends.values()]),
         "on most targets the rank correlation of λ and time is above 0.8",
         f"correlations {', '.join(f'{trend:.2f}' for trend in trends.values())}; λ = 100000 takes "
         f"{min(ratios):.2f} to {max(ratios):.2f} times as long as λ = 0 (thesis: "
@@ -165,7 +133,7 @@ def _without_omega(plan):
     return Claim(
         "λ = 0 without any code of Ω is 1.5 to 2.5 times as fast",
         "4.3",
-        HELD if 1.5 <= median <= 2.5 else NOT_HELD,
+        verdict(1.5 <= median <= 2.5),
         "the median over targets of the ratio is in that range; λ = 0 here never updates W, though "
         "its one read a candidate stays, and the least λ above 0 stands for λ = 0 with all of it",
         f"{median:.2f} times ({min(ratios):.2f} to {max(ratios):.2f})",
@@ -188,7 +156,7 @@ def _shared_memory(plan):
     return Claim(
         "Shared memory changes nothing but time",
         "5.1.3",
-        (HELD if all(equal) else NOT_HELD) if equal else OPEN,
+        verdict(all(equal)) if equal else OPEN,
         "in every record of a GPU (reports/gpu) the bytes are those of the CPU",
         f"equal in {sum(equal)} of {len(equal)} runs" if equal else unknown,
     )
@@ -215,7 +183,7 @@ def _sweet_spot(plan, similarities):
     return Claim(
         "ε near 100 is a sweet spot of quality and speed",
         "5.2.4",
-        _majority(votes),
+        majority(votes),
         "on most targets ε = 100 is faster than ref, has 90 % of the gain of ε = 10000 and is "
         "closer to ref (FLIP)",
         f"median ref/time {at_100:.2f} at ε = 100, {at_10000:.2f} at 10000: on this machine guide "
@@ -237,7 +205,7 @@ def _levelling_off(plan):
     return Claim(
         "Gains level off past ε = 100",
         "5.2.4",
-        OPEN if before * past < 1.1 else HELD if before > past else NOT_HELD,
+        OPEN if before * past < 1.1 else verdict(before > past),
         "the median speed-up from ε = 3 to 100 exceeds that from 100 to 10000; not to be judged "
         "where the two together are below a tenth",
         f"{before:.2f} and {past:.2f} times (thesis: {published_before:.2f} and "
@@ -263,7 +231,7 @@ def _edges(plan):
     return Claim(
         "Edges are lost past ε = 5000",
         "5.2.4",
-        _majority([past > 1.2 * ref for ref, _, past in spilled.values()]),
+        majority([past > 1.2 * ref for ref, _, past in spilled.values()]),
         "on most targets a fifth more patches come from another object at ε = 10000 than with ref",
         "; ".join(
             f"{target} {ref:.1%}, {at_5000:.1%}, {past:.1%}"

@@ -1,7 +1,7 @@
 """The page of the report on chapters 4 and 5: every table and figure."""
 
 import hashlib
-import json
+from functools import partial
 from pathlib import Path
 
 import pandas as pd
@@ -10,48 +10,49 @@ from tqdm import tqdm
 from eval.documents.dzurenko import pictures, printed, tables
 from eval.documents.dzurenko.claims import claims
 from eval.metrics import definitions
-from eval.pages.page import is_up_to_date, new_report
+from eval.pages.claims import claims_section
+from eval.pages.document import Document, made_on
 from eval.pages.tables import formatted_with_spread
-from eval.provenance import provenance
-from eval.runs.store import numbers_of, stored
 from stylit_ref.machine.code_digest import code_digest
 
 
-def write_page(plan, folder):
-    """Write the report: its page, its figures, and a CSV for every table.
+def document(plan):
+    """The report on a plan.
 
     Parameters
     ----------
     plan : Plan
-        Its runs must be stored.
-    folder : Path
 
     Returns
     -------
-    bool
-        False if the folder already holds a report of the same runs by the same code; it is kept.
+    Document
     """
-    inputs = _inputs(plan)
-    if is_up_to_date(folder, inputs):
-        return False
-    with new_report(folder, inputs) as report:
-        similarities = {target: tables.similarity_table(plan, target) for target in plan.scenes}
-        sections = [_preface(plan), *_claims(claims(plan, similarities), report)]
-        for target in tqdm(plan.scenes, unit="target", disable=None):
-            sections += _target(plan, target, similarities[target], report)
-        sections += _overall(plan, report)
-        sections += [
-            "## What the numbers are",
-            definitions(tables.MEASURES),
-            tables.SIMILARITY_DEFINITIONS,
-        ]
-        report.page(f"Chapters 4 and 5 of the thesis, preset {plan.name}", sections)
-    return True
+    title = f"Chapters 4 and 5 of the thesis, preset {plan.name}"
+    inputs = [_CODE, _digest_of_files(), [plan.gpu_records(target) for target in plan.scenes]]
+    return Document(title, plan.tasks, partial(_sections, plan), inputs)
+
+
+def _sections(plan, report):
+    similarities = {target: tables.similarity_table(plan, target) for target in plan.scenes}
+    found = claims(plan, similarities)
+    sections = [
+        _preface(plan),
+        *claims_section("What the thesis says, and what we found", found, report),
+        *_errata(report),
+    ]
+    for target in tqdm(plan.scenes, unit="target", disable=None):
+        sections += _target(plan, target, similarities[target], report)
+    sections += _overall(plan, report)
+    return [
+        *sections,
+        "## What the numbers are",
+        definitions(tables.MEASURES),
+        tables.SIMILARITY_DEFINITIONS,
+    ]
 
 
 def _preface(plan):
     scene = plan.scenes[plan.background]
-    made = sorted({stored(job).made for job in plan.jobs})
     seeds = ", ".join(
         f"{target} {' '.join(map(str, seeds))}" for target, seeds in plan.seeds.items()
     )
@@ -61,21 +62,13 @@ def _preface(plan):
         f"where none is said. Seeds: {seeds}; times are of the first. Published times are of a "
         "GeForce GTX 660, StyLit's of four threads of a CPU, at 1200x912: compare ratios, not "
         "seconds. Our times are of the synthesis, kernels compiled before, on:\n\n"
-        + "\n".join(f"- {line}" for line in made)
-        + f"\n\nReport: {provenance()}"
+        + made_on(plan.tasks)
     )
 
 
-def _claims(found, report):
+def _errata(report):
     errata = printed.errata()
     return [
-        "## What the thesis says, and what we found",
-        *(
-            f"- **{row.claim}** ({row.section}): **{row.verdict}**. {row.evidence}. "
-            f"*Held if {row.rule}.*"
-            for row in found.itertuples()
-        ),
-        report.csv("claims", found),
         "### Errata",
         "Rows of the published tables whose ratio does not follow from their times, rounding "
         "allowed for:",
@@ -157,13 +150,10 @@ CHECKOUT = Path(__file__).parents[3]
 _CODE = code_digest(__file__)
 
 
-def _inputs(plan):
-    """Identifies everything a report is made of."""
+def _digest_of_files():
+    """Identifies the files that the page shows."""
     digest = hashlib.sha256()
     published = Path(__file__).parent.glob("published/*.csv")
     for file in sorted([*published, *(CHECKOUT / "reports" / "ptx").glob("*.csv")]):
         digest.update(file.read_bytes())
-    runs = [(job.key, sorted(numbers_of(job).items())) for job in plan.jobs]
-    records = [plan.gpu_records(target) for target in plan.scenes]
-    digest.update(json.dumps([plan.name, runs, records, _CODE]).encode())
     return digest.hexdigest()

@@ -1,12 +1,11 @@
 """Repeat chapters 4 and 5 of the thesis on our scenes: every table, figure and claim."""
 
-import sys
 from pathlib import Path
 
-from eval.documents.dzurenko.page import write_page
+from eval.documents.dzurenko.page import document
 from eval.documents.dzurenko.plan import PRESETS, own_scene, preset
+from eval.pages.document import make_document
 from eval.pages.options import add_output, folder_of
-from eval.runs.complete import complete
 from stylit_ref import InputError
 from stylit_ref.stylization.backends import BACKENDS
 
@@ -45,18 +44,7 @@ def add_options(parser):
 def main(options):
     """Do the runs and make the report; returns the exit code."""
     plan = _plan(options)
-    folder = folder_of(options, plan.name)
-    failures = complete(plan.tasks, plan.scheduler)
-    for title, reason in failures.items():
-        print(f"eval: failed: {title}: {reason}", file=sys.stderr)
-    if failures:
-        count = len(plan.tasks) - len(failures)
-        print(f"eval: no report: {len(failures)} runs failed, {count} are kept", file=sys.stderr)
-        return 1
-    if not write_page(plan, folder):
-        print(f"eval: {folder} is up to date", file=sys.stderr)
-    print(f"Written: {folder / 'report.html'}")
-    return 0
+    return make_document(document(plan), folder_of(options, plan.name), plan.scheduler)
 
 
 def _plan(options):

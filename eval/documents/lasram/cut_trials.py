@@ -15,7 +15,7 @@ from stylit_ref.texture.passes.cut import accumulate
 from stylit_ref.texture.passes.cut_costs import cut_costs, end_rays, existing_seams
 from stylit_ref.texture.passes.layout import make_workspace
 from stylit_ref.texture.passes.new_seams import new_seams
-from stylit_ref.texture.passes.placement import find_cut
+from stylit_ref.texture.passes.patch_cut import find_cut
 
 
 @dataclass(frozen=True)
@@ -63,8 +63,9 @@ def _try_cuts(
         new_x, new_y = work.new_seams[thread, 0], work.new_seams[thread, 1]
         saved, crossing, steps = work.saved[thread], work.crossing[thread], work.steps[thread]
         totals, row, path = work.totals[thread], work.row[thread], work.paths[thread, 0]
-        less, more = row[0, : crossing.shape[1]], row[1, : crossing.shape[1]]
-        ends, columns_now = work.ends[thread, 0], work.ends[thread, 1]
+        padded = crossing.shape[1]
+        less, more, arrivals = row[0, :padded], row[1, :padded], row[2, :padded]
+        ends = work.ends[thread]
         source = np.int64(centres[trial])
         total, _ = read_context(
             texture, sources.colours, settings.stride, places[trial, 0], places[trial, 1],
@@ -83,20 +84,12 @@ def _try_cuts(
         cut_costs(new_x, new_y, saved, polar, jump, row[2:], crossing, steps)
         if sources.clearance[source] <= settings.radius + MARGIN:
             end_rays(sources.clearance, settings.stride, source, polar, jump, crossing)
-        first[trial] = _cost(
-            find_cut(
-                polar, once, crossing, steps, totals, less, more, path, ends, columns_now
-            ),
-            halved,
-        )  # fmt: skip
-        second[trial] = _cost(
-            find_cut(
-                polar, twice, crossing, steps, totals, less, more, path, ends, columns_now
-            ),
-            halved,
-        )  # fmt: skip
+        first[trial] = _cost(find_cut(once, crossing, steps, totals, row, path, ends), halved)
+        second[trial] = _cost(find_cut(twice, crossing, steps, totals, row, path, ends), halved)
         for start in range(columns):
-            accumulate(crossing, steps, jump, 0, start, totals, less, more)
+            arrivals[:] = BLOCKED
+            arrivals[jump + start] = 0
+            accumulate(crossing, steps, jump, arrivals, totals, less, more)
             every[trial, start] = _cost(totals[path.size, jump + start], halved)
 
 

@@ -7,6 +7,7 @@ from functools import cached_property
 import numpy as np
 
 from stylit_ref.texture.formulae.deformation import power_table
+from stylit_ref.texture.formulae.polar import BLOCKED
 from stylit_ref.texture.passes.acceptance import cost_change
 from stylit_ref.texture.passes.alignment import alignment_costs
 from stylit_ref.texture.passes.context import Context, read_context
@@ -81,7 +82,7 @@ class OnePatch:
         """C, by one pass."""
         self.cost = self._solve(
             self.work.crossing[0], self.work.steps[0], self.work.totals[0], self.settings.max_jump,
-            -1, self.path,
+            self.path,
         )  # fmt: skip
 
     def begin_alignment(self):
@@ -95,7 +96,7 @@ class OnePatch:
         """D: the shift in each row; ``start`` fixes that in the first row, from 0 for -D_max."""
         self.aligned = self._solve(
             self.work.shift_costs[0], self.work.shift_steps[0], self.work.shift_totals[0], 1,
-            start, self.shifts,
+            self.shifts, start,
         )  # fmt: skip
         self.shifts -= self.settings.max_shift
 
@@ -115,11 +116,13 @@ class OnePatch:
     def _powers(self):
         return power_table(self.session.params.gamma)
 
-    def _solve(self, costs, steps, totals, jump, start, path):
+    def _solve(self, costs, steps, totals, jump, path, start=-1):
         row, ends = self.work.row[0], self.work.ends[0]
-        less, more = row[:2, : costs.shape[1]]
-        accumulate(costs, steps, jump, 0, start, totals, less, more)
-        return int(closed_path(totals, steps, jump, 0, start, path, *ends))
+        less, more, arrivals = row[:3, : costs.shape[1]]
+        arrivals[:] = 0 if start < 0 else BLOCKED
+        arrivals[jump + max(start, 0)] = 0
+        accumulate(costs, steps, jump, arrivals, totals, less, more)
+        return int(closed_path(totals, steps, jump, arrivals, path, *ends))
 
 
 def stage_shares(session):

@@ -4,8 +4,9 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from eval.documents.lasram import overlap
-from eval.documents.lasram.plan import RADII
+from eval.documents.lasram.plan import JITTERS, LARGEST_HOLE, RADII
 from eval.documents.lasram.tables import radii
+from eval.methods.hole_filling import CURES, hole_of
 from eval.methods.texture_completion import holes
 from eval.pages.figures import contact_sheet
 from eval.runs.store import stored
@@ -95,18 +96,19 @@ def radius_times_figure(plan, file):
     for name in table:
         place.plot(table.index, table[name], marker=".", label=f"S of {name}")
     place.set_xlabel("R")
-    place.set_ylabel("ms an iteration (11 to 16)")
+    place.set_ylabel("processor ms an iteration (11 to 16)")
     place.legend(fontsize=8)
     figure.savefig(file, dpi=100)
 
 
 def large_radius_figure(plan, file):
-    """Figure 16: R = 128, beside image quilting."""
-    job, rival = plan.large_radius("canes"), plan.quilting("canes")
+    """Figure 16: pixel-based synthesis and ours with R = 128."""
+    job = plan.large_radius("canes")
     row = [
-        ("E", job.scene.exemplar), ("ours, R = 128", stored(job).image),
-        ("image quilting", stored(rival).image),
-    ]  # fmt: skip
+        ("E", job.scene.exemplar),
+        *((label, stored(plan.pixels("canes", label)).image) for label in JITTERS),
+        ("ours, R = 128", stored(job).image),
+    ]
     contact_sheet([row], file, 400)
 
 
@@ -119,7 +121,20 @@ def completion_figure(plan, file):
         [("black filled", stored(plan.completed(True)).image),
          ("white filled", stored(plan.completed(False)).image)],
     ]  # fmt: skip
-    contact_sheet(rows, file, 300)
+    contact_sheet(rows, file, max(300, exemplar.shape[1] // 2))
+
+
+def filled_figure(plan, file):
+    """The largest hole in several exemplars: with all cures, and without each."""
+    rows = []
+    for name in plan.with_holes:
+        job = plan.filled(name, LARGEST_HOLE)
+        shown = job.scene.exemplar.copy()
+        shown[hole_of(LARGEST_HOLE, shown.shape[:2])] = 0
+        jobs = {"filled": job}
+        jobs |= {f"without {cure}": plan.filled(name, LARGEST_HOLE, cure) for cure in CURES}
+        rows.append([(name, shown), *((title, stored(job).image) for title, job in jobs.items())])
+    contact_sheet(rows, file, 256)
 
 
 def labels_figure(plan, file):

@@ -4,14 +4,16 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from eval.documents.lasram.cut_quality import CutQuality
-from eval.documents.lasram.printed import SIZES
+from eval.documents.lasram.presets import Preset
+from eval.methods.hole_filling import CURES, HOLES, HoleFilling
 from eval.methods.image_quilting import ImageQuilting
+from eval.methods.pixel_synthesis import PixelSynthesis
 from eval.methods.texture import TextureSynthesis
 from eval.methods.texture_completion import LabelledTexture, TextureCompletion
 from eval.methods.texture_program import TextureProgram
 from eval.runs.complete import Task
 from eval.runs.job import Job
-from eval.textures import NINE, load_texture
+from eval.textures import NINE, large_texture, load_texture
 from stylit_ref.texture.formulae.polar import WEIGHTINGS
 from stylit_ref.texture.params import TextureParams
 
@@ -26,33 +28,20 @@ COVERING = (1, 2, 3, 4, 5)
 RADII = (8, 16, 32, 64, 128)
 """R of figure 9."""
 
+JITTERS = {"pixels, high jitter": 1.0, "pixels, low jitter": 0.2}
+"""The pixel-based rival of figure 16."""
+
+FILLED = ("bricks", "canes", "flowers", "brick", "grass", "gravel")
+"""Exemplars with holes to fill."""
+
+LARGEST_HOLE = "blobs"
+"""The hole that is filled without each cure."""
+
+QUIET = 3
+"""How often a run is repeated whose times count."""
+
 LONG = 40
 """Iterations of the plot of convergence (figure 14), and until flowers vanish."""
-
-
-@dataclass(frozen=True)
-class Preset:
-    """How much is done.
-
-    Attributes
-    ----------
-    seeds : tuple of int
-        Of the study of quality.
-    sizes : tuple of int
-        Of the table of times.
-    trials : int
-        Cuts whose quality is measured.
-    """
-
-    seeds: tuple[int, ...]
-    sizes: tuple[int, ...]
-    trials: int
-
-
-PRESETS = {
-    "quick": Preset((0,), SIZES[:3], 300),
-    "full": Preset((0, 1, 2, 3, 4), SIZES, 3000),
-}
 
 
 @dataclass(frozen=True)
@@ -151,9 +140,17 @@ class Plan:
         """Figure 16."""
         return self.paper(exemplar, "R = 128", radius=128)
 
+    def pixels(self, exemplar, label):
+        """The pixel-based rival of figure 16; ``label`` is one of :data:`JITTERS`."""
+        return self._job(exemplar, PixelSynthesis(label, JITTERS[label]), None, 0)
+
     def judged_by(self, predicate):
         """The paper's settings with another way to reject patches."""
-        return self.paper("flowers", f"predicate {predicate}", predicate=predicate)
+        return self._quiet("flowers", f"predicate {predicate}", None, predicate=predicate)
+
+    def _quiet(self, exemplar, label, shape, **changes):
+        params = TextureParams.preset("paper", **changes)
+        return self._job(exemplar, TextureSynthesis(label, params, QUIET), shape, 0)
 
     def spread(self, gamma):
         """Deformation that fades as γ says; no patch is rejected."""
@@ -162,7 +159,21 @@ class Plan:
     def completed(self, inverted):
         """Figure 12."""
         name = f"completion{', inverted' if inverted else ''}"
-        return self._job("flowers", TextureCompletion(name, inverted), None, 0)
+        return Job(self._large, TextureCompletion(name, inverted))
+
+    @cached_property
+    def _large(self):
+        return large_texture("flowers", self.preset.completed)
+
+    def filled(self, exemplar, hole, without=None):
+        """A hole that is filled, possibly without a cure."""
+        name = f"{hole} without {without}" if without else hole
+        return self._job(exemplar, HoleFilling(name, hole, without), (256, 256), 0)
+
+    @property
+    def with_holes(self):
+        """Exemplars with holes to fill."""
+        return tuple(name for name in FILLED if name in self.exemplars)
 
     def labelled(self):
         """Figure 13."""
@@ -177,8 +188,12 @@ class Plan:
         return self._job(exemplar, CutQuality(name, weighting, hides, share), None, 0)
 
     def timed(self, size, radius=64):
-        """A row of the table of times, or a point of figure 15."""
+        """A row of the table of times."""
         return self.paper("gravel", f"timed, R = {radius}", (size, size), radius=radius)
+
+    def timed_radius(self, size, radius):
+        """A point of figure 15."""
+        return self._quiet("gravel", f"quiet, R = {radius}", (size, size), radius=radius)
 
     @property
     def timed_radii(self):
@@ -213,13 +228,13 @@ class Plan:
         for name in self.structured:
             jobs.append(self.falling_deformation(name))
             jobs += [self.constant_deformation(name, value) for value in (0, 32)]
-        jobs += [self.large_radius("canes"), self.paper("door")]
+        jobs.append(self.paper("door"))
         jobs += [self.completed(inverted) for inverted in (False, True)] + [self.labelled()]
         jobs += [self.judged_by(predicate) for predicate in ("none", "before", "after")]
         jobs += [self.spread(gamma) for gamma in (0.25, 4)]
         jobs += [self.timed(size) for size in self.preset.sizes]
         jobs += [
-            self.timed(size, radius)
+            self.timed_radius(size, radius)
             for size in self.preset.sizes[:2]
             for radius in self.timed_radii
         ]
@@ -229,5 +244,9 @@ class Plan:
             for weighting in WEIGHTINGS
             for hides in (False, True)
         ]
+        jobs += [self.filled(name, hole) for name in self.with_holes for hole in HOLES]
+        jobs += [self.filled(name, LARGEST_HOLE, c) for name in self.with_holes for c in CURES]
         figures = {job.key: Task(job, ("pieces",)) for job in jobs}
-        return [*self.quality, *figures.values()]
+        beside = [self.pixels(name, label) for name in self.structured for label in JITTERS]
+        beside += [self.large_radius(name) for name in self.structured]
+        return [*self.quality, *figures.values(), *(Task(job, METRICS) for job in beside)]

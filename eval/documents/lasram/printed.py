@@ -40,3 +40,9 @@ CUTS = {
 
 RADIUS_128_MS = 112
 """16 iterations at 512² with R = 128 (figure 16)."""
+
+COMPLETED = 1200, 1600
+"""Height and width of S in figure 12."""
+
+PIXELS_MS = 15
+"""4 iterations of pixel-based synthesis at 512² (figure 16)."""

@@ -79,13 +79,16 @@ def memory(plan, size):
 
 
 def radii(plan):
-    """Figure 15: milliseconds of a late iteration as R grows, a column for each size of S."""
+    """Figure 15: processor milliseconds of a late iteration as R grows, a column for each size."""
     return pd.DataFrame(
         {
             "R": plan.timed_radii,
             **{
                 f"{size}²": [
-                    1000 * stored(plan.timed(size, radius)).history["seconds"][10:].mean()
+                    1000
+                    * stored(plan.timed_radius(size, radius))
+                    .history["processor_seconds"][10:]
+                    .mean()
                     for radius in plan.timed_radii
                 ]
                 for size in plan.preset.sizes[:2]

@@ -9,6 +9,7 @@ from stylit_ref.texture.formulae.polar import BLOCKED, WEIGHT_BITS, Polar
 from stylit_ref.texture.formulae.seam_cost import cost_beside, squared_distance
 from stylit_ref.texture.passes.context import Context
 from stylit_ref.texture.passes.layout import Settings
+from stylit_ref.texture.passes.lock import is_free_x, is_free_y
 
 _HALF = 1 << (WEIGHT_BITS - 1)
 
@@ -30,7 +31,8 @@ def alignment_costs(
 
     The colour half a pixel inside the cut in row y + k is put in row y, beside the old pixel just
     outside. A change of the shift from one row to the next costs ``settings.penalty``. Every
-    crossing weighs the arc of its row by the direction of its border, as H does.
+    crossing weighs the arc of its row by the direction of its border, as H does; what the cut
+    crosses for nothing costs nothing.
 
     Parameters
     ----------
@@ -79,6 +81,7 @@ def alignment_costs(
         cosine, sine = polar.cosine[y], polar.sine[y]
         if polar.cut_cosine[y] >= polar.cut_sine[y]:
             place = np.int64(polar.cut_x[y, path[y]])
+            free = is_free_x(context.locked, place)
             if cosine > 0:
                 place += 1
                 old, before, direction = context.here[place], context.beside_x[place], 1
@@ -86,6 +89,7 @@ def alignment_costs(
                 old, before, direction = context.here[place], context.beside_x[place], 2
         else:
             place = np.int64(polar.cut_y[y, path[y]])
+            free = is_free_y(context.locked, place, side)
             if sine > 0:
                 old, before, direction = (
                     context.here[place + side],
@@ -97,7 +101,7 @@ def alignment_costs(
         weight = (
             polar.cut_weight[path[y]] * np.int64(polar.cut_cosine[y] + polar.cut_sine[y]) + _HALF
         ) >> WEIGHT_BITS
-        weight = np.int32(weight)
+        weight = np.int32(0 if free else weight)
         new, after_new = line[0, y : y + shifts], line[direction, y : y + shifts]
         contrast = line[4 + direction, y : y + shifts]
         old_contrast = squared_distance(old, before)

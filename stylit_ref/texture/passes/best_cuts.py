@@ -9,21 +9,20 @@ from stylit_ref.texture.passes.cut import accumulate, closed_path
 
 
 @kernel()
-def _best_cuts(crossing, steps, max_jump, first_row, starts, totals, paths, costs):
-    padded = crossing.shape[1] // starts.size
-    for patch in prange(starts.size):
+def _best_cuts(crossing, steps, max_jump, arrivals, totals, paths, costs):
+    padded = crossing.shape[1] // costs.size
+    for patch in prange(costs.size):
         first, end = patch * padded, (patch + 1) * padded
         # Copies: the loops over a row are made for arrays of their own.
         row_costs, row_steps = crossing[:, first:end].copy(), steps[:, first:end].copy()
         table = np.empty((crossing.shape[0] + 1, padded), np.int32)
         room = np.empty((4, padded + 1), np.int32)
-        start = starts[patch]
+        arrived = arrivals[first:end].copy()
         accumulate(
-            row_costs, row_steps, max_jump, first_row, start, table, room[0, :padded],
-            room[1, :padded],
-        )  # fmt: skip
+            row_costs, row_steps, max_jump, arrived, table, room[0, :padded], room[1, :padded]
+        )
         costs[patch] = closed_path(
-            table, row_steps, max_jump, first_row, start, paths[patch], room[2], room[3]
+            table, row_steps, max_jump, arrived, paths[patch], room[2], room[3]
         )
         totals[:, first:end] = table
 
@@ -32,8 +31,7 @@ def best_cuts(
     crossing: NDArray[np.int32],
     steps: NDArray[np.int32],
     max_jump: int,
-    first_row: int,
-    starts: NDArray[np.int32],
+    arrivals: NDArray[np.int32],
     totals: NDArray[np.int32],
     paths: NDArray[np.int32],
     costs: NDArray[np.int32],
@@ -47,9 +45,9 @@ def best_cuts(
     ----------
     crossing, steps : (H, n (W + 2 J)) int32
         As :func:`stylit_ref.texture.passes.cut.accumulate` takes them.
-    max_jump, first_row : int
-    starts : (n,) int32
-        The column that the path of each patch starts in, or -1 for any.
+    max_jump : int
+    arrivals : (n (W + 2 J),) int32
+        What it costs to arrive in each column of the first row.
     totals : (H + 1, n (W + 2 J)) int32
         Receives T.
     paths : (n, H) int32
@@ -57,4 +55,4 @@ def best_cuts(
     costs : (n,) int32
         Receive what they cost.
     """
-    _best_cuts(crossing, steps, max_jump, first_row, starts, totals, paths, costs)
+    _best_cuts(crossing, steps, max_jump, arrivals, totals, paths, costs)

@@ -6,6 +6,7 @@ from numpy.typing import NDArray
 from stylit_ref.machine.inlined import inlined, subroutine
 from stylit_ref.randomness.philox import FourWords, uniform_below
 from stylit_ref.randomness.random_stream import random_words
+from stylit_ref.texture.formulae.guide_cost import guide_cost
 from stylit_ref.texture.formulae.polar import MARGIN
 from stylit_ref.texture.formulae.seam_cost import squared_distance
 from stylit_ref.texture.passes.context import Context
@@ -89,7 +90,9 @@ def find_candidate(
     """The address of the centre of a patch in an exemplar, for the cell around the pixel (y, x).
 
     Of ``exemplar`` alone, or of any if that is -1. ``cell`` and ``first_draw`` tell the draws of a
-    stream apart. Of equally near candidates, the first is taken.
+    stream apart. Of equally near candidates, the first is taken. With a guide, its differences
+    count as those of colours do, times its weight. What S uses much already is priced
+    (:mod:`stylit_ref.texture.passes.use`).
     """
     addresses, colours, centres = texture.addresses, sources.colours, sources.centres
     stride, plane, radius = settings.stride, settings.plane, settings.radius
@@ -115,13 +118,16 @@ def find_candidate(
                 candidate = there
         if settings.prescreened == 1:
             return candidate
-        distance = np.int64(0)
+        distance = sources.prices[candidate] if settings.spread else np.int64(0)
         for n in range(LOOKED_AT):
             to_y, to_x = np.int64(sources.ring[n, 0]), np.int64(sources.ring[n, 1])
             place = (to_y + radius + MARGIN) * side + to_x + radius + MARGIN
-            distance += _limited(
-                squared_distance(colours[candidate + to_y * stride + to_x], context.here[place])
-            )
+            looked_at = candidate + to_y * stride + to_x
+            distance += _limited(squared_distance(colours[looked_at], context.here[place]))
+            if settings.guide_weight:
+                wanted = texture.guide[(y + to_y) % height, (x + to_x) % width]
+                shown = sources.guide_colours[looked_at]
+                distance += guide_cost(shown, wanted, settings.guide_weight << 8)
         if distance < best_distance:
             best, best_distance = candidate, distance
     return best

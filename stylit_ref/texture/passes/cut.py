@@ -12,8 +12,7 @@ def accumulate(
     crossing: NDArray[np.int32],
     steps: NDArray[np.int32],
     max_jump: int,
-    first_row: int,
-    start: int,
+    arrivals: NDArray[np.int32],
     totals: NDArray[np.int32],
     less: NDArray[np.int32],
     more: NDArray[np.int32],
@@ -22,12 +21,14 @@ def accumulate(
 
     ::
 
+        T[0, i] = arrivals[i] + crossing[0, i]
         T[y, i] = min over |i - j| <= J of (T[y - 1, j] + |V[i] - V[j]|) + crossing[y, i]
 
     where V are the running sums of the steps between the rows y - 1 and y. Since these are sums,
-    the minimum is that of two sliding minima, of T - V on the left and of T + V on the right. The
-    table has one row more than there are rows: the first again, without its crossing, so that the
-    jump that closes a cut pays its step.
+    the minimum is that of two sliding minima, of T - V on the left and of T + V on the right. It is
+    at most BLOCKED, as T is, since to stay in a column costs no step. The table has one row more
+    than there are rows: the first again, without its crossing, so that the jump that closes a cut
+    pays its step.
 
     Parameters
     ----------
@@ -35,10 +36,9 @@ def accumulate(
         With J columns more on either side; the crossings there are BLOCKED.
     max_jump : int
         J.
-    first_row : int
-        The row that T begins with.
-    start : int
-        The one column to start from, or -1 for any.
+    arrivals : (W + 2 J,) int32
+        What it costs to arrive in each column of the first row, at most BLOCKED: 0 where a cut may
+        begin anywhere.
     totals : (H + 1, W + 2 J) int32
         Receives T.
     less, more : (W + 2 J,) int32
@@ -48,12 +48,12 @@ def accumulate(
     columns = padded - 2 * max_jump
     last = max_jump + columns
     blocked = np.int32(BLOCKED)
-    row = totals[0]
+    row, costs = totals[0], crossing[0]
     for x in range(padded):
-        row[x] = crossing[first_row, x] if start < 0 or x == max_jump + start else blocked
-    now = first_row
+        total = np.int32(arrivals[x] + costs[x])
+        row[x] = total if total < blocked else blocked
     for y in range(1, rows + 1):
-        before, running = totals[y - 1], steps[now]
+        before, running = totals[y - 1], steps[y - 1]
         for x in range(padded):
             less[x] = before[x] - running[x]
             more[x] = before[x] + running[x]
@@ -68,11 +68,10 @@ def accumulate(
             _best_of_any(less, more, inner, max_jump, best)
         totals[y, :max_jump] = blocked
         totals[y, last:] = blocked
-        now = now + 1 if now + 1 < rows else 0
         if y < rows:
-            costs = crossing[now, max_jump:last]
+            costs = crossing[y, max_jump:last]
             for x in range(columns):
-                total = np.int32((best[x] if best[x] < blocked else blocked) + costs[x])
+                total = np.int32(best[x] + costs[x])
                 best[x] = total if total < blocked else blocked
 
 
@@ -114,7 +113,7 @@ def _least(a, b):
 
 
 @inlined
-def _came_from(totals, steps, y, x, above, max_jump):
+def _came_from(totals, steps, y, x, max_jump):
     """The column in row y - 1 from which the best path reaches column x of row y.
 
     Of several, that farthest to the left. The columns that were added on either side do not count:
@@ -123,10 +122,16 @@ def _came_from(totals, steps, y, x, above, max_jump):
     best, origin = np.int32(2147483647), x
     last = totals.shape[1] - max_jump
     for j in range(max(x - max_jump, max_jump), min(x + max_jump + 1, last)):
-        total = np.int32(totals[y - 1, j] + abs(np.int32(steps[above, x] - steps[above, j])))
+        total = np.int32(totals[y - 1, j] + abs(np.int32(steps[y - 1, x] - steps[y - 1, j])))
         if total < best:
             best, origin = total, j
     return origin
+
+
+@inlined
+def _closed_cost(total, arrival):
+    """What a closed path costs that ends at ``total`` where it began at ``arrival``."""
+    return np.int32(total - arrival if total < BLOCKED // 2 else total)
 
 
 @subroutine
@@ -134,8 +139,7 @@ def closed_path(
     totals: NDArray[np.int32],
     steps: NDArray[np.int32],
     max_jump: int,
-    first_row: int,
-    start: int,
+    arrivals: NDArray[np.int32],
     path: NDArray[np.int32],
     ends: NDArray[np.int32],
     columns_now: NDArray[np.int32],
@@ -150,7 +154,8 @@ def closed_path(
     totals : (H + 1, W + 2 J) int32
         T.
     steps : (H, W + 2 J) int32
-    max_jump, first_row, start : int
+    max_jump : int
+    arrivals : (W + 2 J,) int32
         As T was filled.
     path : (H,) int32
         Receives the path: a column of 0 to W - 1 for every row.
@@ -160,39 +165,34 @@ def closed_path(
     Returns
     -------
     int
-        What the path costs; BLOCKED // 2 or more if every closed path is blocked.
+        What the path costs: the total at its end less the arrival where it began. BLOCKED // 2 or
+        more if the totals of all closed paths are.
     """
     rows, padded = steps.shape
     columns = padded - 2 * max_jump
-    if start >= 0:
-        best_end = start
-    else:
-        groups = columns
-        for i in range(columns):
-            ends[i], columns_now[i] = i, i + max_jump
-        ends[groups] = columns
-        for y in range(rows, 0, -1):
-            above = first_row + y - 1
-            above = above - rows if above >= rows else above
-            kept, last = 0, -1
-            for group in range(groups):
-                origin = _came_from(totals, steps, y, columns_now[group], above, max_jump)
-                if origin != last:
-                    ends[kept], columns_now[kept] = ends[group], origin
-                    kept += 1
-                    last = origin
-            groups = kept
-            ends[groups] = columns
-        best_end, best = -1, np.int32(2147483647)
-        for group in range(groups):
-            origin = columns_now[group] - max_jump
-            closes = ends[group] <= origin < ends[group + 1]
-            if closes and totals[rows, origin + max_jump] < best:
-                best_end, best = origin, totals[rows, origin + max_jump]
-    x = best_end + max_jump
+    groups = columns
+    for i in range(columns):
+        ends[i], columns_now[i] = i, i + max_jump
+    ends[groups] = columns
     for y in range(rows, 0, -1):
-        above = first_row + y - 1
-        above = above - rows if above >= rows else above
-        x = _came_from(totals, steps, y, x, above, max_jump)
-        path[above] = x - max_jump
-    return totals[rows, best_end + max_jump]
+        kept, last = 0, -1
+        for group in range(groups):
+            origin = _came_from(totals, steps, y, columns_now[group], max_jump)
+            if origin != last:
+                ends[kept], columns_now[kept] = ends[group], origin
+                kept += 1
+                last = origin
+        groups = kept
+        ends[groups] = columns
+    best_end, best = np.int64(-1), np.int32(2147483647)
+    for group in range(groups):
+        end = np.int64(columns_now[group])
+        closes = ends[group] <= end - max_jump < ends[group + 1]
+        cost = _closed_cost(totals[rows, end], arrivals[end])
+        if closes and cost < best:
+            best_end, best = end, cost
+    x = best_end
+    for y in range(rows, 0, -1):
+        x = _came_from(totals, steps, y, x, max_jump)
+        path[y - 1] = x - max_jump
+    return best

@@ -4,15 +4,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stylit_ref.machine.kernel import kernel
-from stylit_ref.texture.formulae.polar import BLOCKED, MARGIN, Polar, halvings
+from stylit_ref.texture.formulae.polar import BLOCKED, Polar, halvings
 from stylit_ref.texture.passes.acceptance import cost_change, write_patch
 from stylit_ref.texture.passes.context import Context, read_context
-from stylit_ref.texture.passes.cut_costs import cut_costs, end_rays, existing_seams
+from stylit_ref.texture.passes.cut_costs import existing_seams
 from stylit_ref.texture.passes.deformation import OUTSIDE, rasterize
 from stylit_ref.texture.passes.layout import Settings, Sources, Texture, Workspace
-from stylit_ref.texture.passes.lock import free_locked_edges, hidden_beside_locked, magnitude
-from stylit_ref.texture.passes.new_seams import new_seams
-from stylit_ref.texture.passes.placement import find_cut
+from stylit_ref.texture.passes.patch_cut import cut_tables, find_cut
 
 
 @kernel(parallel=False)
@@ -21,35 +19,21 @@ def _fit_dragged(
 ):
     windows = work.context[0]
     context = Context(windows[0], windows[1], windows[2], windows[3], work.locked[0])
-    new_x, new_y, hidden = work.new_seams[0, 0], work.new_seams[0, 1], work.costs[0, 0]
-    saved, crossing, steps, row = work.saved[0], work.crossing[0], work.steps[0], work.row[0]
-    path, shifts = work.paths[0, 0], work.paths[0, 1]
-    padded, jump = crossing.shape[1], settings.max_jump
-    colours, half_width, stride = sources.colours, polar.half_width, settings.stride
-    read_context(texture, colours, stride, y, x, half_width, np.int64(-1), context)
-    if settings.has_lock:
-        hidden_beside_locked(texture, colours, settings, source, y, x, half_width, context, hidden)
-    else:
-        hidden[:] = context.seams
-    halved = halvings(magnitude(hidden), settings.hidden_limit)
-    existing_seams(hidden, polar, halved, settings.existing_limit, saved)
-    new_seams(
-        colours, stride, source, half_width, context, settings.eta, settings.exponent, halved,
-        settings.new_limit, new_x, new_y,
-    )  # fmt: skip
-    if settings.has_lock:
-        free_locked_edges(half_width, context, new_x, new_y)
-    cut_costs(new_x, new_y, saved, polar, jump, row[2:], crossing, steps)
+    crossing, path, shifts = work.crossing[0], work.paths[0, 0], work.paths[0, 1]
+    half_width = polar.half_width
+    total, _ = read_context(
+        texture, sources.colours, settings.stride, y, x, half_width, np.int64(-1), context
+    )
+    halved = halvings(total, settings.hidden_limit)
+    existing_seams(context.seams, polar, halved, settings.existing_limit, work.saved[0])
+    cut_tables(texture, sources, polar, settings, work, 0, context, source, y, x, halved)
     # All cuts hide what is nearer, so it counts for none of them.
     for column in range(polar.border.size - 1):
         if polar.border[column + 1] < least_radius << 8:
-            crossing[:, jump + column] = BLOCKED
-    if sources.clearance[source] <= settings.radius + MARGIN:
-        end_rays(sources.clearance, stride, source, polar, jump, crossing)
+            crossing[:, settings.max_jump + column] = BLOCKED
     cost = find_cut(
-        polar, settings, crossing, steps, work.totals[0], row[0, :padded], row[1, :padded], path,
-        work.ends[0, 0], work.ends[0, 1],
-    )  # fmt: skip
+        settings, crossing, work.steps[0], work.totals[0], work.row[0], path, work.ends[0]
+    )
     patch[:] = OUTSIDE
     change[0] = 0
     if cost < BLOCKED // 2:

@@ -32,7 +32,7 @@ class Settings(NamedTuple):
     predicate : int
         An index into :data:`PREDICATES`.
     second_pass : int
-    prescreened, coherence, tries : int
+    prescreened, spread, coherence, tries : int
         How candidates are found.
     has_lock, has_labels, guide_weight : int
         Whether pixels are locked, or for one exemplar alone; the fixed-point weight of the guide, 0
@@ -54,6 +54,7 @@ class Settings(NamedTuple):
     predicate: int
     second_pass: int
     prescreened: int
+    spread: int
     coherence: int
     tries: int
     has_lock: int
@@ -103,6 +104,8 @@ class Sources(NamedTuple):
         Where the addresses of each exemplar begin, and its centres.
     ring : (64, 2) int32
         Where candidates are compared.
+    prices : (plane,) int64
+        What the use of the surroundings of a centre costs a candidate.
     """
 
     colours: NDArray[np.int32]
@@ -112,6 +115,7 @@ class Sources(NamedTuple):
     bounds: NDArray[np.int64]
     centre_bounds: NDArray[np.int64]
     ring: NDArray[np.int32]
+    prices: NDArray[np.int64]
 
 
 class Workspace(NamedTuple):

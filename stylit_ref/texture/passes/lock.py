@@ -10,11 +10,23 @@ prevented; ending the cut at locked pixels instead leaves specks that no patch r
 import numpy as np
 from numpy.typing import NDArray
 
-from stylit_ref.machine.inlined import subroutine
+from stylit_ref.machine.inlined import inlined, subroutine
 from stylit_ref.texture.formulae.guide_cost import guide_cost
 from stylit_ref.texture.formulae.seam_cost import edge_cost
 from stylit_ref.texture.passes.context import Context
 from stylit_ref.texture.passes.layout import FREE_BELOW, FREE_RIGHT, LOCKED, Settings, Texture
+
+
+@inlined
+def is_free_x(locked: NDArray[np.uint8], place: int) -> bool:
+    """Whether a cut crosses the edge between a place and the one to its right for nothing."""
+    return locked[place] & locked[place + 1] & LOCKED > 0 or locked[place] & FREE_RIGHT > 0
+
+
+@inlined
+def is_free_y(locked: NDArray[np.uint8], place: int, side: int) -> bool:
+    """The same of the edge below a place, in a window of ``side`` places a row."""
+    return locked[place] & locked[place + side] & LOCKED > 0 or locked[place] & FREE_BELOW > 0
 
 
 @subroutine
@@ -31,9 +43,9 @@ def free_locked_edges(
         reach = half_width[j]
         middle = j * side + side // 2
         for place in range(middle - reach, middle + reach + 1):
-            if locked[place] & locked[place + 1] & LOCKED or locked[place] & FREE_RIGHT:
+            if is_free_x(locked, place):
                 new_x[place] = 0
-            if locked[place] & locked[place + side] & LOCKED or locked[place] & FREE_BELOW:
+            if is_free_y(locked, place, side):
                 new_y[place] = 0
 
 
@@ -67,14 +79,14 @@ def hidden_beside_locked(
             a = addresses[row, column]
             new = source + (j - centre) * stride + i - centre
             saved = np.int64(0)
-            if not (locked[place] & locked[place + 1] & LOCKED or locked[place] & FREE_RIGHT):
+            if not is_free_x(locked, place):
                 saved += seams_x[row, column]
                 if locked[place] & LOCKED:
                     saved -= edge_cost(colours, a, new + 1, 1, eta, exponent)
                 elif locked[place + 1] & LOCKED:
                     b = addresses[row, (column + 1) % width]
                     saved -= edge_cost(colours, new, b, 1, eta, exponent)
-            if not (locked[place] & locked[place + side] & LOCKED or locked[place] & FREE_BELOW):
+            if not is_free_y(locked, place, side):
                 saved += seams_y[row, column]
                 if locked[place] & LOCKED:
                     saved -= edge_cost(colours, a, new + stride, stride, eta, exponent)

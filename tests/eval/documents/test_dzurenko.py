@@ -14,8 +14,8 @@ import eval.runs.local
 import eval.runs.store
 from eval.__main__ import main
 from eval.documents.dzurenko import printed
-from eval.documents.dzurenko.claims import HELD, NOT_HELD, OPEN
 from eval.documents.dzurenko.plan import preset
+from eval.pages.claims import HELD, NOT_HELD, OPEN
 from eval.runs.complete import complete
 from eval.runs.store import run_file, stored
 from stylit_ref import write_image

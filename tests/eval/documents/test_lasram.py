@@ -12,14 +12,15 @@ import eval.documents.lasram.report as report_module
 import eval.runs.local
 from eval.__main__ import main
 from eval.documents.lasram import overlap
-from eval.documents.lasram.claims import HELD, NOT_HELD, OPEN
 from eval.documents.lasram.cut_quality import summary
-from eval.documents.lasram.plan import Plan, Preset
+from eval.documents.lasram.plan import Plan
+from eval.documents.lasram.presets import Preset
+from eval.pages.claims import HELD, NOT_HELD, OPEN
 
 
 def tiny_plan(name, preset, exemplars, rivals):
     """The plan on two exemplars, S a third as wide."""
-    return Plan(name, Preset((0,), (256,), 3), exemplars[:2], rivals, side=160)
+    return Plan(name, Preset((0,), (256,), 3, (192, 256)), exemplars[:2], rivals, side=160)
 
 
 @pytest.fixture(scope="module")

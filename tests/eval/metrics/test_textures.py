@@ -75,14 +75,18 @@ def seams():
 
 BAD = {
     (empty, "sw"): 10,
+    (empty, "novelty"): 8,
     (empty, "omission"): 5,
+    (empty, "repetition"): 0.9,
     (copied, "sw"): 3,
     (copied, "omission"): 4,
     (copied, "repetition"): 0.9,
+    (copied, "border"): 1.6,
     (shuffled, "sw"): 5,
     (shuffled, "novelty"): 10,
-    (shuffled, "seam_cost"): 1,
-    (seams, "seam_cost"): 0.03,
+    (shuffled, "omission"): 10,
+    (shuffled, "seam_cost"): 100,
+    (seams, "seam_cost"): 5,
     (seams, "border"): 1.6,
 }
 """What each number is at least where it must say bad."""
@@ -95,6 +99,14 @@ def test_a_bad_texture_has_a_bad_number(make, name, exemplar):
     assert bad >= BAD[make, name]
     if name != "seam_cost":  # mirrored pieces do not continue each other
         assert measure(exemplar, outcome(exemplar, *plain())) < BAD[make, name] / 1.5
+
+
+@pytest.mark.parametrize(
+    ("make", "size"),
+    [(empty, 1), (shuffled, 2), (copied, 32**2), (seams, 64**2), (plain, SMALL**2)],
+)
+def test_pieces_tell_confetti_from_large_blocks_and_from_a_whole_copy(make, size, exemplar):
+    assert NUMBERS["piece"](exemplar, outcome(exemplar, *make())) == size
 
 
 def test_an_empty_texture_has_no_seams_so_that_these_alone_mislead(exemplar):

@@ -1,8 +1,21 @@
 """6. Candidates."""
 
+import numpy as np
+
 from .spec_02_colours import distance
 from .spec_03_exemplars import centres_of
 from .spec_04_random_numbers import PATCHES, below, draw
+
+
+def price(p, a, centre):
+    """Price a candidate by how much S uses what is around it."""
+    valid, half = a["valid"], p["radius"] // 2
+    used = np.bincount(a["addresses"].ravel() % valid.size, minlength=valid.size)
+    y, x = divmod(int(centre), valid.shape[1])
+    around = np.s_[y - half : y + half + 1, x - half : x + half + 1]
+    use = int(used.reshape(valid.shape)[around].sum())
+    share = 256 * use * int(valid.sum()) // (int(valid[around].sum()) * a["addresses"].size)
+    return (p["spread"] * share) >> 2
 
 
 def candidate(p, a, centres, cell, attempt, y, x):
@@ -22,10 +35,14 @@ def candidate(p, a, centres, cell, attempt, y, x):
                 chosen = there
         if p["prescreened"] == 1:
             return chosen
-        total = 0
+        total = price(p, a, chosen)
         for v, u in a["ring"].tolist():
             shown = colours[addresses[(y + v) % height, (x + u) % width]]
             total += min(distance(int(colours[chosen + v * stride + u]), int(shown)), 20000)
+            if p.get("guide_weight"):
+                wanted = int(a["guide"][(y + v) % height, (x + u) % width])
+                given = int(a["guide_colours"][chosen + v * stride + u])
+                total += (distance(given, wanted) * p["guide_weight"]) >> 8
         if least is None or total < least:
             best, least = chosen, total
     return best

@@ -5,20 +5,20 @@ import numpy as np
 from .spec_01_names import BLOCKED
 
 
-def fill(crossing, steps, jump, first_row, start):
+def fill(crossing, steps, jump, arrivals):
     """Fill T, and from where the path comes to each of its entries."""
     rows, columns = crossing.shape
     totals = np.zeros((rows + 1, columns), int)
     origins = np.zeros((rows + 1, columns), int)
     for x in range(columns):
-        totals[0, x] = crossing[first_row, x] if start in (-1, x) else BLOCKED
+        totals[0, x] = min(int(arrivals[x]) + int(crossing[0, x]), BLOCKED)
     for y in range(1, rows + 1):
-        sums = steps[(first_row + y - 1) % rows]
+        sums = steps[y - 1]
         for x in range(columns):
             reached = range(max(x - jump, 0), min(x + jump, columns - 1) + 1)
             ways = [(totals[y - 1, j] + abs(sums[x] - sums[j]), j) for j in reached]
             total, origins[y, x] = min(ways)
-            own = crossing[(first_row + y) % rows, x] if y < rows else 0
+            own = int(crossing[y, x]) if y < rows else 0
             totals[y, x] = min(total + own, BLOCKED)
     return totals, origins
 
@@ -31,25 +31,27 @@ def follow(origins, end):
     return path
 
 
-def best_closed(crossing, steps, jump, first_row, start):
+def best_closed(crossing, steps, jump, arrivals):
     """Find the best closed path."""
-    rows, columns = crossing.shape
-    totals, origins = fill(crossing, steps, jump, first_row, start)
-    if start < 0:
-        closed = [x for x in range(columns) if follow(origins, x)[0] == x]
-        start = min(closed, key=lambda x: totals[rows, x])
-    path = np.zeros(rows, int)
-    for y, x in enumerate(follow(origins, start)[:-1]):
-        path[(first_row + y) % rows] = x
-    return totals, path, int(totals[rows, start])
+    columns = crossing.shape[1]
+    totals, origins = fill(crossing, steps, jump, arrivals)
+
+    def cost(x):
+        blocked = totals[-1, x] >= BLOCKED // 2
+        return int(totals[-1, x] if blocked else totals[-1, x] - arrivals[x])
+
+    closed = [x for x in range(columns) if follow(origins, x)[0] == x]
+    best = min(closed, key=cost)
+    return totals, np.array(follow(origins, best)[:-1]), cost(best)
 
 
 def closed_cut(crossing, steps, jump, second_pass):
     """Find the best closed cut, in one pass or two."""
-    _, path, cost = best_closed(crossing, steps, jump, 0, -1)
-    if second_pass and cost < BLOCKED // 2:
-        half = len(path) // 2
-        _, path, cost = best_closed(crossing, steps, jump, half, path[half])
+    totals, path, cost = best_closed(crossing, steps, jump, [0] * crossing.shape[1])
+    if second_pass:
+        ends = totals[-1].tolist()
+        arrivals = [min(end - min(ends), BLOCKED) for end in ends]
+        _, path, cost = best_closed(crossing, steps, jump, arrivals)
         smallest = int(crossing[:, 0].sum())
         if smallest < cost:
             path, cost = np.zeros(len(path), int), smallest
@@ -58,8 +60,8 @@ def closed_cut(crossing, steps, jump, second_pass):
 
 def stage_cut(p, a):
     """Do stage cut."""
-    tables = zip(a["crossing"], a["steps"], a["starts"].tolist(), strict=True)
-    found = [best_closed(c, s, p["max_jump"], p["first_row"], start) for c, s, start in tables]
+    tables = zip(a["crossing"], a["steps"], a["arrivals"], strict=True)
+    found = [best_closed(c, s, p["max_jump"], arrivals) for c, s, arrivals in tables]
     return {name: [one[k] for one in found] for k, name in enumerate(("totals", "paths", "costs"))}
 
 

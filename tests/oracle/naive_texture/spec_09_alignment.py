@@ -21,13 +21,15 @@ def point(patch, radius, angle):
 
 
 def old_pixel(patch, y, cut):
-    """Give the old pixel beside the cut in a row, and the step to it."""
+    """Give the old pixel beside the cut in a row, the step to it, and whether both are locked."""
     a, radius = patch.a, patch.p["radius"]
     if a["cut_cosine"][y] >= a["cut_sine"][y]:
         dy, dx = offset_of(int(a["cut_x"][y, cut]), radius)
-        return (dy, dx + 1, 1) if a["cosine"][y] > 0 else (dy, dx, -1)
+        free = patch.locked(dy, dx) and patch.locked(dy, dx + 1)
+        return (dy, dx + 1, 1, free) if a["cosine"][y] > 0 else (dy, dx, -1, free)
     dy, dx = offset_of(int(a["cut_y"][y, cut]), radius)
-    return (dy + 1, dx, patch.stride) if a["sine"][y] > 0 else (dy, dx, -patch.stride)
+    free = patch.locked(dy, dx) and patch.locked(dy + 1, dx)
+    return (dy + 1, dx, patch.stride, free) if a["sine"][y] > 0 else (dy, dx, -patch.stride, free)
 
 
 def alignment(patch, path):
@@ -36,13 +38,15 @@ def alignment(patch, path):
     most = p["max_shift"]
     costs = np.zeros((rows, 2 * most + 1), int)
     for y in range(rows):
-        dy, dx, step = old_pixel(patch, y, path[y])
+        dy, dx, step, free = old_pixel(patch, y, path[y])
         weight = r10(int(a["cut_weight"][path[y]]) * int(a["cut_cosine"][y] + a["cut_sine"][y]))
         for k in range(-most, most + 1):
             there = (y + k) % rows
             radius = max(int(a["border"][path[there] + 1]) - 128, 0)
             cost = patch.seam(point(patch, radius, 256 * there), patch.old(dy, dx), step)
-            costs[y, k + most] = r10(min(cost >> patch.halved, p["new_limit"]) * weight)
+            costs[y, k + most] = (
+                0 if free else r10(min(cost >> patch.halved, p["new_limit"]) * weight)
+            )
     steps = np.tile(np.arange(2 * most + 1) * p["penalty"], (rows, 1))
     shifted, cost = closed_cut(costs, steps, 1, False)
     return costs, shifted - most, cost

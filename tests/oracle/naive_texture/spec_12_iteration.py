@@ -46,7 +46,7 @@ def fit(p, a, centres, cell, y, x):
         if best is None or cost << patch.halved < best[0]:
             hides = sum(int(saved[row, path[row]]) for row in range(len(path)))
             best = cost << patch.halved, patch, path, hides, across(steps, path)
-    if best is None or (p["predicate"] in ("before", "exact") and best[0] >= 0):
+    if best is None or (p["predicate"] == "before" and best[0] >= 0):
         return REJECTED, 0, None
     cost, patch, path, hides, stepped = best
     outcome, pixels = ACCEPTED, raster(patch, path, None)
@@ -55,13 +55,11 @@ def fit(p, a, centres, cell, y, x):
         _, shifts, along = alignment(patch, path)
         bent = raster(patch, path, shifts)
         bent_change = change(p, a, bent, y, x)
-        if bent_change < changed:
+        estimate = stepped + along + (inner(p, a, bent) >> patch.halved) - hides
+        if bent_change < changed and (p["predicate"] != "after" or estimate < 0):
             outcome, pixels, changed = DEFORMED, bent, bent_change
-    if p["predicate"] == "after":
-        if outcome == DEFORMED:
-            cost = stepped + along + (inner(p, a, pixels) >> patch.halved) - hides
-        if cost >= 0:
-            return REJECTED, 0, None
+    if p["predicate"] == "after" and outcome == ACCEPTED and cost >= 0:
+        return REJECTED, 0, None
     if p["predicate"] == "exact" and changed >= 0:
         return REJECTED, 0, None
     return outcome, changed, pixels

@@ -1,0 +1,80 @@
+"""Reports on publications: runs, verdicts, and when a page is written again."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import pytest
+
+from eval.outcome import Outcome
+from eval.pages.claims import HELD, NOT_HELD, OPEN, Claim, claims_section, majority
+from eval.pages.document import Document, made_on, make_document
+from eval.runs.complete import Task
+from eval.runs.job import Job
+from eval.textures import load_texture
+
+
+@dataclass(frozen=True)
+class Grey:
+    """A method that shows grey, or fails."""
+
+    fails: bool = False
+
+    name, code, device, cost = "grey", "1", "here", 1.0
+
+    def run(self, texture, seed, progress=None):
+        if self.fails:
+            raise MemoryError("too little")
+        return Outcome(np.full((*texture.shape, 3), 128, np.uint8), 0.5)
+
+
+@pytest.fixture(autouse=True)
+def elsewhere(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+
+
+def document(*methods, inputs=()):
+    texture = load_texture("bricks", (8, 8))
+    tasks = [Task(Job(texture, method), ("usage",)) for method in methods]
+    return Document("Grey", tasks, lambda report: [made_on(tasks)], list(inputs))
+
+
+def test_a_page_is_written_again_only_if_something_changed(tmp_path, capsys):
+    folder = tmp_path / "report"
+    assert make_document(document(Grey()), folder) == 0
+    assert "- stylit-ref" in (folder / "report.md").read_text(encoding="utf-8")
+    assert "is up to date" not in capsys.readouterr().err
+    assert make_document(document(Grey()), folder) == 0
+    assert "is up to date" in capsys.readouterr().err
+    assert make_document(document(Grey(), inputs=["other code"]), folder) == 0
+    assert "is up to date" not in capsys.readouterr().err
+
+
+def test_a_failed_run_is_named_and_there_is_no_page(tmp_path, capsys):
+    folder = tmp_path / "report"
+    assert make_document(document(Grey(), Grey(fails=True)), folder) == 1
+    said = capsys.readouterr().err
+    assert "eval: failed: bricks, grey, seed 0: MemoryError: too little" in said
+    assert "1 of 2 runs failed; the others are kept" in said
+    assert not folder.exists()
+
+
+def test_a_tie_does_not_hold():
+    assert majority([True, False]) == NOT_HELD
+    assert majority([True, False, True]) == HELD
+
+
+def test_a_claim_shows_its_rule_and_figures_and_its_table_has_no_flags():
+    tables = {}
+
+    class Report:
+        def csv(self, name, numbers):
+            tables[name] = list(numbers.columns)
+            return name
+
+    claim = Claim("It is grey", "3", OPEN, "all is grey", "nothing was seen", of_time=True)
+    title, text, _ = claims_section("Claims", [claim], Report())
+    assert title == "## Claims"
+    assert text == (
+        "- **It is grey** (3): **cannot be judged here**. nothing was seen. *Held if all is grey.*"
+    )
+    assert tables == {"claims": ["claim", "section", "verdict", "rule", "evidence"]}
