@@ -115,6 +115,7 @@ def test_a_session_gives_what_a_run_must(name):
         shift_penalty=numbers["penalty"],
         whole_pixels=not numbers["fractions"],
         candidates=numbers["prescreened"],
+        spread=numbers["spread"],
         coherence=numbers["coherence"] / 65536,
     )
     session = TextureSession(
