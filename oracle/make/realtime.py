@@ -12,6 +12,12 @@ from oracle.stages import run_case
 from stylit_ref.realtime import passes
 from stylit_ref.realtime.params import REALTIME_PRESETS
 
+CONTRAST = {
+    "contrast": True, "channels": 10, "mu": 8,
+    "guide_weights": [128, 127, 128, 128, 1, 128, 128, 128, 128, 128],
+}  # fmt: skip
+"""Weights and differences that are hardly allowed."""
+
 ENERGIES = {
     "sums": {},
     "means": {"terms": "means"},
@@ -29,7 +35,7 @@ ENERGIES = {
     "small_target": {"target": (2, 3)},
     "one_pixel": {"source": (1, 1), "target": (1, 1)},
     "wide_7": {"patch_width": 7, "spacing": 6, "channels": 1},
-    "contrast": {"contrast": True, "mu": 8, "guide_weights": [1, 9, 100]},
+    "contrast": CONTRAST,
 }
 """How the level of each case of the energy differs from the plain one."""
 
@@ -44,7 +50,7 @@ SEARCHES = {
     "mip_3": ({"scale_space": True, "depth": 3}, {}),
     "box_3": ({"scale_space": True, "depth": 3, "means": "box", "mu": 0}, {"half": 1}),
     "mip_4": ({"scale_space": True, "depth": 4, "mu": 16, "source": (17, 19)}, {}),
-    "small_source": ({"source": (3, 4)}, {}),
+    "small_source": ({"source": (3, 7)}, {}),
     "small_target": ({"target": (2, 3)}, {}),
     "one_pixel": ({"source": (1, 1), "target": (1, 1)}, {"radius": 0}),
     "one_row": ({"source": (1, 12), "target": (1, 20)}, {}),
@@ -52,11 +58,15 @@ SEARCHES = {
     "wide_7": ({"patch_width": 7, "spacing": 6, "channels": 1}, {}),
     "labels": ({"labels": True}, {}),
     "wrong_label": ({"labels": True, "source": (12, 13)}, {"radius": 0}),
+    "contrast": (CONTRAST, {}),
     "ties": ({"constant": True}, {}),
+    "equal_candidates": (
+        {"constant": True, "blemish": True, "source": (9, 24), "target": (15, 16)},
+        {},
+    ),
     "no_radius": ({}, {"radius": 0}),
     "radius_1": ({}, {"radius": 1}),
     "radius_29": ({"source": (31, 7), "patch_width": 3}, {"radius": 29}),
-    "apart": ({"apart": True, "source": (30, 31), "target": (7, 8), "channels": 1}, {"radius": 3}),
 }
 """How level and place of each half iteration differ from the plain ones."""
 
@@ -151,9 +161,7 @@ def _levels(rng):
         ("wide_7", (26, 33), 7, 6, 1),
     ):
         arrays = {"source_labels": things(rng, size), "target_labels": things(rng, size[::-1])}
-        arrays["target_labels"] = np.minimum(
-            arrays["target_labels"], arrays["source_labels"].max()
-        )
+        arrays["target_labels"] = np.minimum(arrays["target_labels"], arrays["source_labels"].max())
         numbers = {"patch_width": patch_width, "spacing": spacing, "level": level}
         yield "entry_labels", name, numbers, arrays
     numbers = {"patch_width": 5, "spacing": 3, "level": 1}

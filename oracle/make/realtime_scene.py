@@ -34,7 +34,7 @@ class Scene:
     def __init__(
         self, number, source=(9, 11), target=(10, 13), channels=3, patch_width=5, spacing=None,
         mu=4, terms="sums", guide_weights=None, scale_space=False, depth=2, means="mip",
-        constant=False, contrast=False, labels=False, apart=False,
+        constant=False, blemish=False, contrast=False, labels=False,
     ):  # fmt: skip
         rng = np.random.default_rng(number)
         spacing = patch_width // 2 + 1 if spacing is None else spacing
@@ -55,17 +55,19 @@ class Scene:
             "target_style": noise(rng, target, 3),
         }
         if contrast:
-            for image in self.arrays.values():
-                image[:] = np.where(rng.random(image.shape) < 0.5, 0, 255)
+            for name, image in self.arrays.items():
+                share = 0.1 if name.startswith("source") else 0.9
+                image[:] = np.where(rng.random(image.shape) < share, 0, 255)
         if constant:
             for image in self.arrays.values():
                 image[:] = 100
+        if blemish:  # half of the source does not fit; the other half fits equally well everywhere
+            self.arrays["source_guides"][:, : source[1] // 2] = 0
         self.grid = tuple(-(-side // spacing) for side in target)
         first, last = centres(source, patch_width)
         nnf = rng.integers(first, last + 1, (*self.grid, 2)).astype(np.int32)
-        if apart:
-            nnf[:] = last
-            nnf[0, 0] = first
+        if blemish:  # every other match does not fit
+            nnf[np.indices(self.grid).sum(axis=0) % 2 == 0, 1] = first[1]
         self.arrays["nnf"] = nnf
         if labels:
             self.arrays["source_labels"] = things(rng, source)

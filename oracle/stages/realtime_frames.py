@@ -38,7 +38,7 @@ def _stroke(passes, parameters, arrays):
     return {"nnf": nnf, "replayed": replayed, "picture": picture, "new_nnf": session.nnf}
 
 
-_PASSES = tuple(dict.fromkeys(name for stage in LEVEL_STAGES.values() for name in stage.passes))
+_PASSES = *dict.fromkeys(n for stage in LEVEL_STAGES.values() for n in stage.passes), "mark_labels"
 
 STAGES = {
     "frame": Stage(_frame, _PASSES),

@@ -69,7 +69,7 @@ def grid_of(level: Level) -> Grid:
 
 def fill_style(passes, style, image: Image) -> None:
     """Put a picture into an image of the style."""
-    passes.make_fill(3, STYLE_LANES)(np.ascontiguousarray(style), image)
+    passes.make_fill(3, STYLE_LANES)(np.ascontiguousarray(style).reshape(-1), image)
 
 
 def style_image(passes, style, layout: Layout) -> Image:

@@ -89,7 +89,10 @@ def refine(
     seed: int,
     stop: NDArray[np.uint8],
 ) -> None:
-    """Do a level's iterations: search both halves, then blend, if a later search reads B'."""
+    """Do a level's iterations: search both halves, then blend, if a later search reads B'.
+
+    ``nnf`` ends with this level where B' begins with a vote in any case.
+    """
     layout = exemplar.layout
     passes, params = layout.passes, layout.params
     search = passes.make_search(*layout.patch_shape, layout.lanes_read(level))
@@ -100,7 +103,7 @@ def refine(
     radius = params.radius_at(level, *exemplar.sizes[level])
     iterations = params.iterations_at(level)
     reads_style = params.reads_style(level)
-    if reads_style and (params.start == "vote" or level + 1 == params.levels):
+    if reads_style and (params.start == "vote" or level + 1 == len(nnf)):
         blend(nnf[level], style, target.picture[level])
     elif reads_style:
         blend(nnf[level + 1], exemplar.style[level + 1], target.picture[level + 1])

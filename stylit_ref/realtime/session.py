@@ -249,7 +249,9 @@ class Session:
                         nnf[0][:] = self._nnf[0]
                     else:
                         start_level(exemplar, nnf, level, self.seed)
-                    refine(exemplar, target, self._refinement, nnf, level, self.seed, self._stop)
+                    # The coarser levels of a warm frame are those of another target.
+                    known = nnf[:1] if warm else nnf
+                    refine(exemplar, target, self._refinement, known, level, self.seed, self._stop)
                 if self._stop[0]:
                     raise FrameCancelledError("the frame was cancelled")
             picture = self._blended(nnf[0])

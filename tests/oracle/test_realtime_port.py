@@ -1,4 +1,4 @@
-"""A port of the real-time method written from its text alone passes; mistakes are found in stages."""
+"""A port of the real-time method from its text alone passes; mistakes are found in stages."""
 
 import re
 import shutil
@@ -78,10 +78,15 @@ MISTAKES = {
         "random_nnf",
     ),
     "the last centre left out": ("(bottom - top + 1)", "(bottom - top)", "random_nnf"),
-    "the edge of a small source": (
+    "another middle of a small source": (
+        "min(radius, (side - 1) // 2)",
+        "min(radius, side // 2)",
+        "random_nnf",
+    ),
+    "a small source without a middle": (
         "max(side - 1 - radius, (side - 1) // 2)",
         "max(side - 1 - radius, 0)",
-        "random_nnf",
+        "search",
     ),
     "means over channels that count": (
         "max(sum(omega), 1)",

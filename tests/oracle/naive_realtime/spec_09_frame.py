@@ -19,13 +19,10 @@ class Frame:
 
     def __init__(self, p, a):
         self.p, levels = p, p["levels"]
-        # Scales of a level may reach beyond the coarsest one.
         self.guides = pyramid(a["source_guides"], levels)
         self.style = pyramid(a["source_style"], levels)
         self.target = pyramid(a["target_guides"], levels)
-        self.labels = [
-            None if side not in a else a[side] for side in ("source_labels", "target_labels")
-        ]
+        self.labels = [a.get(side) for side in ("source_labels", "target_labels")]
 
     def source_size(self, level):
         """Give height and width of the source."""
