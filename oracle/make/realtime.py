@@ -73,8 +73,8 @@ SEARCHES = {
 FRAMES = {
     "best": {},
     "quick": {"preset": "quick"},
-    "simple": {"preset": "simple", "levels": 3, "seed": 3},
-    "optimized": {"preset": "optimized", "levels": 3, "depth": 3},
+    "simple": {"preset": "simple", "levels": 6, "seed": 3},
+    "optimized": {"preset": "optimized", "levels": 5, "depth": 3},
     "box_means": {"preset": "optimized", "means": "box", "depth": 2, "levels": 3},
     "bilinear": {"start": "bilinear"},
     "one_level": {"levels": 1},
@@ -165,7 +165,7 @@ def _levels(rng):
         numbers = {"patch_width": patch_width, "spacing": spacing, "level": level}
         yield "entry_labels", name, numbers, arrays
     numbers = {"patch_width": 5, "spacing": 3, "level": 1}
-    for name, place in (("lost", np.s_[9, 9:12:2]), ("at_the_edge", np.s_[:, :3])):
+    for name, place in (("lost", np.s_[9, 9:15:2]), ("at_the_edge", np.s_[:, :3])):
         source, target = np.ones((2, 20, 23), np.uint8)
         source[place] = 7
         target[4:11, 5:15] = 7
@@ -282,7 +282,7 @@ def _frame(
     """Parameters and arrays of a whole frame; labels are large things, and one of a pixel."""
     rng = np.random.default_rng(number)
     chosen = {
-        "patch_width": 5, "levels": 4, "mu": (4, 4, 4, 4, 0), "terms": "sums",
+        "patch_width": 5, "levels": 5, "mu": (4, 4, 4, 4, 0), "terms": "sums",
         "guide_weights": [1] * channels, "iterations": (1, 2), "radii": (4, 16, 32768),
         "start": "vote", "scale_space": False, "depth": 3, "means": "mip", "seed": SEED,
     }  # fmt: skip

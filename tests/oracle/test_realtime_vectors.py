@@ -14,10 +14,12 @@ from oracle.check import check
 from oracle.compare import PASSED
 from oracle.families import REALTIME, folder_of, spec_of, stages_of
 from oracle.make.realtime import realtime_cases
-from oracle.stages import SYSTEMS
+from oracle.stages import SYSTEMS, run_case
 from oracle.stages.passes_port import PassesPort
+from stylit_ref.realtime import passes
 
 VERSION = REALTIME.versions[-1]
+STAGES = SYSTEMS[REALTIME.name].stages
 SPEC = spec_of(VERSION).read_text(encoding="utf-8")
 
 
@@ -100,6 +102,26 @@ def test_our_passes_give_what_they_must():
     assert {outcome.status for outcome in outcomes} == {PASSED}
 
 
+class Listening:
+    """Our passes, and which of them are asked for."""
+
+    def __init__(self):
+        self.heard = set()
+
+    def __getattr__(self, name):
+        self.heard.add(name)
+        return getattr(passes, name)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("stage", [name for name, stage in STAGES.items() if stage.passes])
+def test_a_stage_names_the_passes_that_it_uses(stage):
+    ours = Listening()
+    for case in read_cases(VERSION, [stage]):
+        run_case(REALTIME, stage, case.parameters, dict(case.arrays), ours)
+    assert ours.heard <= set(STAGES[stage].passes)
+
+
 @pytest.mark.slow
 def test_cuda_kernels_give_what_they_must():
     """In Numba's simulator, which needs a process of its own."""
@@ -110,6 +132,5 @@ def test_cuda_kernels_give_what_they_must():
         env=os.environ | {"NUMBA_ENABLE_CUDASIM": "1"},
     )  # fmt: skip
     assert done.returncode == 0, done.stdout
-    stages = SYSTEMS[REALTIME.name].stages
-    offered = sum(len(cases(name)) for name, stage in stages.items() if stage.passes)
+    offered = sum(len(cases(name)) for name, stage in STAGES.items() if stage.passes)
     assert done.stdout.startswith(f"{offered} passed, ")
