@@ -115,7 +115,8 @@ class Session:
                 self._check_known(labels, self._labels, "source_labels")
             layout = Layout(self.params, guides.shape[2], self._passes)
             refinement = Refinement(layout, self._weights_for(layout.channels))
-            if self._exemplar is None or self._exemplar.size != size:
+            known = self._exemplar
+            if known is None or (known.size, known.layout) != (size, layout):
                 self._exemplar = Exemplar(*size, layout)
                 self._has_frame = False
             self._exemplar.set_guides(guides)
@@ -364,7 +365,8 @@ class Session:
 
     def _weights_for(self, channels):
         refinement = getattr(self, "_refinement", None)
-        return (1,) * channels if refinement is None else refinement.weights
+        is_for_these = refinement is not None and len(refinement.weights) == channels
+        return refinement.weights if is_for_these else (1,) * channels
 
     def _needs_exemplar(self):
         if self._exemplar is None:

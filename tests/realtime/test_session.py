@@ -245,3 +245,25 @@ def test_what_is_missing_is_named():
     session.set_target(case.target)
     with pytest.raises(InputError, match="warm is true, but there is no frame"):
         session.frame(warm=True)
+
+
+@pytest.mark.parametrize("start", ["vote", "bilinear"])
+def test_an_nnf_reproduces_a_warm_frame(start):
+    """Whatever frame a session had before."""
+    case, params = make_case(), RealtimeParams(start=start)
+    session = make_session(case, params)
+    session.frame()
+    nnf = session.nnf
+    other = make_session(case, params)
+    other.nnf = nnf
+    assert np.array_equal(other.frame(warm=True), session.frame(warm=True))
+
+
+def test_a_source_may_have_other_channels_while_there_is_no_target():
+    few, many = make_case(channels=3), make_case(channels=10)
+    session = Session(seed=5, threads=1)
+    session.set_exemplar(few.guides, few.style)
+    session.set_weights((1, 2, 3))
+    session.set_exemplar(many.guides, many.style)
+    session.set_target(many.target)
+    assert np.array_equal(session.frame(), make_session(many, with_labels=False).frame())
