@@ -83,6 +83,13 @@ FRAMES = {
     "no_iterations": {"iterations": (1, 0, 2)},
     "seed": {"seed": (1 << 64) - 5, "radii": (3,), "guide_weights": [2, 0, 1]},
     "guides_only": {"mu": (0,), "iterations": (1,)},
+    "no_weight": {
+        "guide_weights": [0, 0, 0],
+        "mu": (1,),
+        "iterations": (4,),
+        "levels": 2,
+        "source": (17, 19),
+    },
     "one_pixel": {"source": (1, 1), "target": (1, 1), "levels": 2},
     "one_row": {"source": (1, 9), "target": (1, 21), "levels": 3},
     "small_source": {"source": (4, 3), "target": (13, 16), "levels": 2},
@@ -165,9 +172,13 @@ def _levels(rng):
         numbers = {"patch_width": patch_width, "spacing": spacing, "level": level}
         yield "entry_labels", name, numbers, arrays
     numbers = {"patch_width": 5, "spacing": 3, "level": 1}
-    for name, place in (("lost", np.s_[9, 9:15:2]), ("at_the_edge", np.s_[:, :3])):
+    for name in ("lost", "at_the_edge"):
         source, target = np.ones((2, 20, 23), np.uint8)
-        source[place] = 7
+        if name == "lost":
+            source[9, 9:15:2] = 7
+        else:
+            source[:] = 7
+            source[4:16, 4:20] = 1  # all that has a centre on level 1
         target[4:11, 5:15] = 7
         arrays = {"source_labels": source, "target_labels": target}
         yield "entry_labels", name, numbers, arrays
@@ -194,6 +205,7 @@ def _weights():
         ("style_alone", 16, "sums", [1, 1]),
         ("sums_weighed", 12, "sums", [3, 0, 9, 6]),
         ("means_weighed", 6, "means", [3, 0, 9, 6]),
+        ("one_weighed", 6, "means", [0, 1]),
         ("no_weight", 0, "sums", [0, 0]),
         ("no_weight_means", 8, "means", [0, 0]),
     ):

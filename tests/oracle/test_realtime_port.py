@@ -171,6 +171,11 @@ MISTAKES = {
         '"mu": at(p["mu"], p["levels"] - 1 - level)',
         "frame",
     ),
+    "a little style counts as none": (
+        'reads_style = at(self.p["mu"], level) > 0',
+        'reads_style = at(self.p["mu"], level) > 1',
+        "frame",
+    ),
     "a picture blended once": ("if iteration > 0 and reads_style:", "if False:", "frame"),
     "radii of the finest level": ('at(p["radii"], level)', 'at(p["radii"], 0)', "frame"),
     "half of the shorter side": (
