@@ -28,6 +28,7 @@ include_patterns = [
     "notebooks/README.md",
     "oracle/SPEC.md",
     "oracle/texture/SPEC.md",
+    "oracle/realtime/SPEC.md",
     "README.md",
     "CHANGELOG.md",
     "reports/README.md",

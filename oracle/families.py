@@ -76,7 +76,30 @@ TEXTURE = Family(
     },
 )
 
-FAMILIES = STYLIZATION, TEXTURE
+REALTIME = Family(
+    "realtime",
+    ("realtime/v1",),
+    {
+        "pack_stage": "2",
+        "pack_all": "2",
+        "pack_principal": "2",
+        "halve": "3",
+        "entry_labels": "3",
+        "random_nnf": "4",
+        "weights": "5",
+        "records": "5",
+        "energy": "5",
+        "search": "6",
+        "blend": "7",
+        "upsample_nnf": "8",
+        "upsample_picture": "8",
+        "frame": "9",
+        "warm_frame": "9",
+        "stroke": "9",
+    },
+)
+
+FAMILIES = STYLIZATION, TEXTURE, REALTIME
 
 FAMILY_OF = {version: family for family in FAMILIES for version in family.versions}
 

@@ -69,8 +69,10 @@ class _RunningKernel:
 def _undisguised(argument):
     if isinstance(argument, tuple):
         return tuple(map(_undisguised, argument))
-    item = getattr(argument, "_item", None) if not isinstance(argument, np.generic) else None
-    return item._ary if item is not None else argument
+    if isinstance(argument, np.generic):
+        return argument
+    array = getattr(argument, "_item", argument)  # those in tuples have one disguise less
+    return getattr(array, "_ary", array)
 
 
 def launch(kernel, size, *arguments, block=BLOCK):

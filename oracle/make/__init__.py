@@ -3,13 +3,18 @@
 import shutil
 
 from oracle.cases import write_case, write_digests
-from oracle.families import FAMILY_OF, STYLIZATION, TEXTURE, folder_of
+from oracle.families import FAMILY_OF, REALTIME, STYLIZATION, TEXTURE, folder_of
+from oracle.make.realtime import realtime_cases
 from oracle.make.stylization import stylization_cases
 from oracle.make.texture import texture_cases
 from oracle.progress import progress
 from stylit_ref.errors import InputError
 
-MAKERS = {STYLIZATION.name: stylization_cases, TEXTURE.name: texture_cases}
+MAKERS = {
+    STYLIZATION.name: stylization_cases,
+    TEXTURE.name: texture_cases,
+    REALTIME.name: realtime_cases,
+}
 """For each family a function ``(version) -> cases``."""
 
 

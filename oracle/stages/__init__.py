@@ -3,10 +3,19 @@
 from types import ModuleType
 from typing import NamedTuple
 
-from oracle.families import STYLIZATION, TEXTURE, Family
-from oracle.stages import runs, stylit, stylization, texture, texture_runs
+from oracle.families import REALTIME, STYLIZATION, TEXTURE, Family
+from oracle.stages import (
+    realtime,
+    realtime_frames,
+    runs,
+    stylit,
+    stylization,
+    texture,
+    texture_runs,
+)
 from oracle.stages.stage import Stage
 from stylit_ref import passes as stylization_passes
+from stylit_ref.realtime import passes as realtime_passes
 from stylit_ref.texture import passes as texture_passes
 
 
@@ -27,6 +36,7 @@ class System(NamedTuple):
 SYSTEMS = {
     STYLIZATION.name: System(stylization_passes, stylization.STAGES | runs.STAGES | stylit.STAGES),
     TEXTURE.name: System(texture_passes, texture.STAGES | texture_runs.STAGES),
+    REALTIME.name: System(realtime_passes, realtime.STAGES | realtime_frames.STAGES),
 }
 """The system of each family, by the family's name."""
 

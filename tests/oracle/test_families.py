@@ -12,8 +12,9 @@ import oracle
 
 ROWS = {
     "families.py": (
-        "FAMILIES = STYLIZATION, TEXTURE",
-        'FAMILIES = STYLIZATION, TEXTURE, Family("made_up", ("made_up/v1",), {"double": "1"})',
+        "FAMILIES = STYLIZATION, TEXTURE, REALTIME",
+        "FAMILIES = STYLIZATION, TEXTURE, REALTIME, "
+        'Family("made_up", ("made_up/v1",), {"double": "1"})',
     ),
     "stages/__init__.py": (
         "SYSTEMS = {\n",

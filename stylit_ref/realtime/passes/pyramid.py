@@ -1,0 +1,61 @@
+"""The next coarser level of an image: 2x2 boxes, so that no level is shifted (equation 3 is)."""
+
+from collections.abc import Callable
+from functools import cache
+
+import numpy as np
+from numba import prange
+from numpy.typing import NDArray
+
+from stylit_ref.machine.kernel import kernel
+from stylit_ref.machine.vector_pixel import make_halve_pixels, pixels_at_once
+from stylit_ref.realtime.passes.border import extend_row
+from stylit_ref.realtime.passes.image import Image
+
+
+@cache
+def make_halve(lanes: int) -> Callable[..., None]:
+    """Build ``halve(fine, coarse)`` for pixels of so many bytes; the border is filled too."""
+    halve_pixels, at_once = make_halve_pixels(lanes), pixels_at_once(lanes)
+
+    @kernel(lanes, nogil=True)
+    def halve(fine: Image, coarse: Image) -> None:
+        for index in prange(coarse.height):
+            y = np.int64(index)
+            upper = ((2 * y + fine.border) * fine.stride + fine.border) * lanes
+            lower = upper + fine.stride * lanes
+            start = ((y + coarse.border) * coarse.stride + coarse.border) * lanes
+            for x in range(0, coarse.width * lanes, at_once * lanes):
+                halve_pixels(coarse.values, start + x, fine.values, upper + 2 * x, lower + 2 * x)
+            extend_row(coarse, y, lanes)
+
+    return halve
+
+
+@kernel(nogil=True)
+def mark_labels(labels: NDArray[np.uint8], is_there: NDArray[np.bool_]) -> None:
+    """Mark in (256,) ``is_there`` which labels there are."""
+    for y in prange(labels.shape[0]):
+        for x in range(np.uint64(labels.shape[1])):
+            is_there[labels[y, x]] = True
+
+
+@kernel(nogil=True)
+def decimate_labels(
+    labels: NDArray[np.uint8], level: int, step: int, out: NDArray[np.int16]
+) -> None:
+    """Every ``step``-th label of a level. Labels are picked, not averaged."""
+    height, width = out.shape
+    for a in prange(height):
+        for b in range(width):
+            out[a, b] = labels[(a * step) << level, (b * step) << level]
+
+
+@kernel(nogil=True)
+def free_lost_labels(labels: NDArray[np.int16], is_there: NDArray[np.bool_]) -> None:
+    """Free the entries whose label no centre of the source has at this level."""
+    height, width = labels.shape
+    for a in prange(height):
+        for b in range(width):
+            if not is_there[labels[a, b]]:
+                labels[a, b] = -1

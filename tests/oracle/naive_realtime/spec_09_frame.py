@@ -1,0 +1,115 @@
+"""9. A frame."""
+
+from .spec_01_names import grid_of
+from .spec_03_levels import picked, pyramid
+from .spec_04_random_numbers import random_nnf
+from .spec_05_energy import Energy
+from .spec_06_search import Half, labels_of
+from .spec_07_blend import blend
+from .spec_08_upsampling import upsampled_nnf, upsampled_picture
+
+
+def at(values, level):
+    """Give a level's value of a list."""
+    return values[min(level, len(values) - 1)]
+
+
+class Frame:
+    """Source and target on all levels."""
+
+    def __init__(self, p, a):
+        self.p, levels = p, p["levels"]
+        self.guides = pyramid(a["source_guides"], levels)
+        self.style = pyramid(a["source_style"], levels)
+        self.target = pyramid(a["target_guides"], levels)
+        self.labels = [a.get(side) for side in ("source_labels", "target_labels")]
+
+    def source_size(self, level):
+        """Give height and width of the source."""
+        return self.guides[level].shape[:2]
+
+    def size(self, level):
+        """Give height and width of the target."""
+        return self.target[level].shape[:2]
+
+    def blended(self, nnf, level):
+        """Blend B' of a level."""
+        p = self.p
+        return blend(self.style[level], nnf, p["patch_width"], p["spacing"], self.size(level))
+
+    def begin(self, nnf, level):
+        """Give the NNF of a level from that of the coarser one, or at random."""
+        p, grid = self.p, grid_of(self.size(level), self.p["spacing"])
+        if level == p["levels"] - 1:
+            return random_nnf(grid, self.source_size(level), p["patch_width"], p["seed"], level)
+        return upsampled_nnf(nnf, grid, self.source_size(level), p["patch_width"], p["spacing"])
+
+    def first_picture(self, nnf, coarse, level):
+        """Give B' with which a level begins; ``coarse`` is the NNF of the coarser level."""
+        if self.p["start"] == "vote" or coarse is None:
+            return self.blended(nnf, level)
+        return upsampled_picture(self.blended(coarse, level + 1), self.size(level))
+
+    def search(self, nnf, picture, level, iteration):
+        """Do an iteration."""
+        p = self.p
+        height, width = self.source_size(level)
+        here = p | {
+            "mu": at(p["mu"], level),
+            "level": level,
+            "iteration": iteration,
+            "radius": min(max(height, width) // 2, at(p["radii"], level)),
+        }
+        images = {
+            "source_guides": self.guides[level],
+            "source_style": self.style[level],
+            "target_guides": self.target[level],
+            "target_style": picture,
+        }
+        labels = [None if side is None else picked(side, level) for side in self.labels]
+        energy = Energy(here, images)
+        for half in (0, 1):
+            now = here | {"half": half}
+            Half(now, nnf, energy, (height, width), labels_of(p, *labels)).run()
+
+    def refine(self, nnf, coarse, level):
+        """Do the iterations of a level."""
+        picture = self.first_picture(nnf, coarse, level)
+        reads_style = at(self.p["mu"], level) > 0
+        for iteration in range(at(self.p["iterations"], level)):
+            if iteration > 0 and reads_style:
+                picture = self.blended(nnf, level)
+            self.search(nnf, picture, level, iteration)
+
+    def cold(self):
+        """Give the NNF of a cold frame."""
+        nnf = None
+        for level in range(self.p["levels"] - 1, -1, -1):
+            coarse, nnf = nnf, self.begin(nnf, level)
+            self.refine(nnf, coarse, level)
+        return nnf
+
+
+def stage_frame(p, a):
+    """Do stage frame."""
+    frame = Frame(p, a)
+    nnf = frame.cold()
+    return {"picture": frame.blended(nnf, 0), "nnf": nnf}
+
+
+def stage_warm_frame(p, a):
+    """Do stage warm_frame."""
+    frame = Frame(p, a)
+    frame.refine(a["nnf"], None, 0)
+    return {"picture": frame.blended(a["nnf"], 0), "nnf": a["nnf"]}
+
+
+def stage_stroke(p, a):
+    """Do stage stroke."""
+    after = Frame(p, a | {"source_style": a["new_style"]})
+    nnf, new_nnf = Frame(p, a).cold(), after.cold()
+    pictures = {"replayed": after.blended(nnf, 0), "picture": after.blended(new_nnf, 0)}
+    return pictures | {"nnf": nnf, "new_nnf": new_nnf}
+
+
+STAGES = {"frame": stage_frame, "warm_frame": stage_warm_frame, "stroke": stage_stroke}

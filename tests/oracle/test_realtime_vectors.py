@@ -1,0 +1,136 @@
+"""The vectors of the real-time method: the library's results for them, and their description."""
+
+import os
+import re
+import subprocess
+import sys
+from fnmatch import fnmatchcase
+
+import numpy as np
+import pytest
+
+from oracle.cases import read_cases, write_input
+from oracle.check import check
+from oracle.compare import PASSED
+from oracle.families import REALTIME, folder_of, spec_of, stages_of
+from oracle.make.realtime import realtime_cases
+from oracle.stages import SYSTEMS, run_case
+from oracle.stages.passes_port import PassesPort
+from stylit_ref.realtime import passes
+
+VERSION = REALTIME.versions[-1]
+STAGES = SYSTEMS[REALTIME.name].stages
+SPEC = spec_of(VERSION).read_text(encoding="utf-8")
+
+
+def cases(stage):
+    return {case.name: case for case in read_cases(VERSION, [stage])}
+
+
+def test_every_stage_has_cases_and_a_section():
+    assert set(REALTIME.sections) == set(stages_of(VERSION))
+    assert all(f"\n## {section}. " in SPEC for section in REALTIME.sections.values())
+    table = SPEC.partition("\n| stage |")[2].partition("\n\n")[0]
+    rows = re.findall(r"^\| (\w.*?) \|", table, re.MULTILINE)
+    assert {stage for row in rows for stage in row.split(", ")} == set(REALTIME.sections)
+
+
+def test_every_name_of_a_case_is_explained():
+    table = SPEC.partition("\n| name | why it is there |")[2].partition("\n\n")[0]
+    rows = re.findall(r"^\| (`.+`) \|", table, re.MULTILINE)
+    explained = {name.strip("`") for row in rows for name in row.split(", ")}
+    used = set()
+    for case in read_cases(VERSION):
+        found = {name for name in explained if fnmatchcase(case.name, name)}
+        assert found, case.title
+        used |= found
+    assert used == explained
+
+
+def test_types_of_files_are_those_that_occur():
+    told = set(re.findall(r"`([|<]\w\d)`", SPEC.partition("## 10.")[2]))
+    files = folder_of(VERSION).rglob("*.npy")
+    found = {np.lib.format.dtype_to_descr(np.load(file).dtype) for file in files}
+    assert found == told
+
+
+def test_cases_are_light():
+    files = [file for file in folder_of(VERSION).rglob("*") if file.is_file()]
+    assert sum(file.stat().st_size for file in files) < 600_000
+
+
+def test_cases_are_awkward():
+    """Each thing that a port may get wrong is there."""
+    assert cases("energy")["contrast"].expected["energy"].max() > 1 << 30
+    assert (cases("entry_labels")["lost"].expected["labels"] == -1).any()
+    assert (cases("entry_labels")["at_the_edge"].expected["labels"] == -1).any()
+    principal = cases("pack_principal")
+    assert {0, 255} <= set(principal["clipped"].expected["features"].flat)
+    assert 0 in principal["unknown_colours"].expected["labels"]
+    moved = {
+        name: (case.arrays["nnf"] != case.expected["nnf"]).any()
+        for name, case in cases("search").items()
+    }
+    assert {name for name, is_moved in moved.items() if not is_moved} == {"ties", "one_pixel"}
+    for case in cases("stroke").values():
+        assert (case.expected["replayed"] != case.expected["picture"]).any() or (
+            case.name == "guides_only"
+        )
+
+
+@pytest.mark.slow
+def test_cases_are_what_this_library_makes_of_them(tmp_path):
+    made = {case.title: case for case in realtime_cases(VERSION)}
+    kept = {case.title: case for case in read_cases(VERSION)}
+    assert made.keys() == kept.keys()
+    for title, case in made.items():
+        write_input(case, tmp_path)
+        description = folder_of(VERSION) / title / "case.json"
+        assert (tmp_path / "case.json").read_bytes() == description.read_bytes()
+        for ours, theirs in (
+            (case.arrays, kept[title].arrays),
+            (case.expected, kept[title].expected),
+        ):
+            assert ours.keys() == theirs.keys()
+            for name, array in ours.items():
+                np.testing.assert_array_equal(array, theirs[name], err_msg=f"{title} {name}")
+
+
+@pytest.mark.slow
+def test_our_passes_give_what_they_must():
+    outcomes = list(check(PassesPort(VERSION), VERSION))
+    assert {outcome.status for outcome in outcomes} == {PASSED}
+
+
+class Listening:
+    """Our passes, and which of them are asked for."""
+
+    def __init__(self):
+        self.heard = set()
+
+    def __getattr__(self, name):
+        self.heard.add(name)
+        return getattr(passes, name)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("stage", [name for name, stage in STAGES.items() if stage.passes])
+def test_a_stage_names_the_passes_that_it_uses(stage):
+    ours = Listening()
+    for case in read_cases(VERSION, [stage]):
+        run_case(REALTIME, stage, case.parameters, dict(case.arrays), ours)
+    assert ours.heard <= set(STAGES[stage].passes)
+
+
+@pytest.mark.slow
+def test_cuda_kernels_give_what_they_must():
+    """In Numba's simulator, which needs a process of its own."""
+    command = [sys.executable, "-m", "oracle", "check", "--cases", VERSION]
+    done = subprocess.run(
+        [*command, "--module", "gpu_cuda.realtime", "--jobs", "2"],
+        check=False, capture_output=True, text=True,
+        env=os.environ | {"NUMBA_ENABLE_CUDASIM": "1"},
+    )  # fmt: skip
+    assert done.returncode == 0, done.stdout
+    offered = sum(len(cases(name)) for name, stage in STAGES.items() if stage.passes)
+    assert done.stdout.startswith(f"{offered} passed, ")
