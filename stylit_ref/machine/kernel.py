@@ -106,7 +106,7 @@ def rehearsal() -> Iterator[dict[Specialization, None]]:
 
 
 def kernel(
-    *constants: int, parallel: bool = True
+    *constants: int, parallel: bool = True, nogil: bool = False
 ) -> Callable[[Callable[Arguments, None]], Callable[Arguments, None]]:
     """Compile a loop over a whole array, once for each machine and source.
 
@@ -117,6 +117,8 @@ def kernel(
         types do not tell these kernels apart.
     parallel : bool
         Whether ``prange`` loops run in parallel.
+    nogil : bool
+        Whether other threads of Python run meanwhile; two calls must not meet then.
 
     Returns
     -------
@@ -126,9 +128,9 @@ def kernel(
     """
 
     def decorate(function):
-        dispatcher = njit(parallel=_PRANGE_ALONE if parallel else False, error_model="numpy")(
-            function
-        )
+        dispatcher = njit(
+            parallel=_PRANGE_ALONE if parallel else False, error_model="numpy", nogil=nogil
+        )(function)
         with suppress(RuntimeError):  # no folder can be written, so every process compiles
             dispatcher._cache = KernelCache(function, constants)
 

@@ -21,6 +21,9 @@ RANDOM_NNF, RANDOM_SEARCH, COMMIT_ORDER, RETRIEVAL_NNF, RETRIEVAL_SEARCH = 1, 2,
 # Those of texture synthesis, 16 to 31.
 WHITE_NOISE, GRID, PATCHES, LABELS = 16, 17, 18, 19
 
+# Those of the real-time method, 32 to 47; a vote is an iteration, and an iteration its half.
+REALTIME_NNF, REALTIME_SEARCH = 32, 33
+
 ITERATIONS = 1 << 16
 """Number of iterations that the counter can tell apart; the same for votes and levels."""
 

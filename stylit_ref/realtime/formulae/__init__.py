@@ -1,0 +1,1 @@
+"""The equations of the thesis, of one pixel, entry or candidate each."""

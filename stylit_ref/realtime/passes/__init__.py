@@ -1,0 +1,26 @@
+"""Loops over whole images and grids; ``make_*`` build those that depend on a pixel's bytes."""
+
+from stylit_ref.realtime.passes.blend import make_blend
+from stylit_ref.realtime.passes.border import make_extend
+from stylit_ref.realtime.passes.fill import make_fill
+from stylit_ref.realtime.passes.pyramid import decimate_labels, free_lost_labels, make_halve
+from stylit_ref.realtime.passes.records import make_box_records, make_mip_records
+from stylit_ref.realtime.passes.search import make_search
+from stylit_ref.realtime.passes.style_lanes import make_insert_style
+from stylit_ref.realtime.passes.upsample import random_nnf, upsample_nnf, upsample_picture
+
+__all__ = [
+    "decimate_labels",
+    "free_lost_labels",
+    "make_blend",
+    "make_box_records",
+    "make_extend",
+    "make_fill",
+    "make_halve",
+    "make_insert_style",
+    "make_mip_records",
+    "make_search",
+    "random_nnf",
+    "upsample_nnf",
+    "upsample_picture",
+]

@@ -1,0 +1,65 @@
+"""B' from the NNF: the mean of the one, two or four patches over a pixel (equation 17)."""
+
+from collections.abc import Callable
+from functools import cache
+
+import numpy as np
+from numba import prange
+from numpy.typing import NDArray
+
+from stylit_ref.machine.kernel import kernel
+from stylit_ref.machine.vector_patch import STYLE_LANES, cell_bytes, make_blend_cell
+from stylit_ref.realtime.formulae.grid import covered_from_left, covered_from_right
+from stylit_ref.realtime.formulae.packed_nnf import column_of, row_of
+from stylit_ref.realtime.passes.border import extend_row, put_row
+from stylit_ref.realtime.passes.image import Image
+
+
+@cache
+def make_blend(width: int, step: int, channels: int) -> Callable[..., None]:
+    """Build the pass for patches of ``width`` x ``width`` pixels, ``step`` apart.
+
+    ``channels`` is 4 for an image with a border, which is filled too, and 3 for the picture.
+    """
+    radius = width // 2
+    cell = make_blend_cell(
+        covered_from_left(step, radius), covered_from_right(step, radius), channels
+    )
+    spare = cell_bytes(step)
+
+    @kernel(width, step, channels, nogil=True)
+    def blend(nnf: NDArray[np.int32], style: Image, out: Image) -> None:
+        rows, columns = nnf.shape
+        stride = out.stride * channels
+        for row in prange(out.height):
+            y = np.int64(row)
+            a = y // step
+            above = y - a * step
+            if above > radius and a + 1 < rows:
+                a, above = a + 1, above - step
+            a2, below = a, above
+            if above > 0 and step - above <= radius and a + 1 < rows:
+                a2, below = a + 1, above - step
+            origin = style.border * (style.stride + 1)
+            upper = origin + above * style.stride
+            lower = origin + below * style.stride
+            line = np.empty(columns * step * channels + spare, np.uint8)
+            for b in range(columns):
+                entry, other = nnf[np.uint64(a), np.uint64(b)], nnf[np.uint64(a2), np.uint64(b)]
+                one = upper + row_of(entry) * style.stride + column_of(entry)
+                two = lower + row_of(other) * style.stride + column_of(other)
+                one_right, two_right = one, two
+                if b + 1 < columns:
+                    entry = nnf[np.uint64(a), np.uint64(b + 1)]
+                    other = nnf[np.uint64(a2), np.uint64(b + 1)]
+                    one_right = upper + row_of(entry) * style.stride + column_of(entry) - step
+                    two_right = lower + row_of(other) * style.stride + column_of(other) - step
+                cell(
+                    line, b * step * channels, style.values, one * STYLE_LANES,
+                    one_right * STYLE_LANES, two * STYLE_LANES, two_right * STYLE_LANES,
+                )  # fmt: skip
+            start = (y + out.border) * stride + out.border * channels
+            put_row(out.values, start, line, out.width * channels)
+            extend_row(out, y, channels)
+
+    return blend

@@ -1,0 +1,54 @@
+"""The border of an image repeats its edge, so that patches and boxes need no clamping.
+
+Parallel loops write to an image by functions alone: Numba does not see that an attribute of a tuple
+is somebody's array, and drops what a loop itself writes there as dead code.
+"""
+
+from collections.abc import Callable
+from functools import cache
+
+import numpy as np
+from numba import prange
+from numpy.typing import NDArray
+
+from stylit_ref.machine.inlined import inlined
+from stylit_ref.machine.kernel import kernel
+from stylit_ref.realtime.passes.image import Image
+
+
+@inlined
+def put_row(values: NDArray[np.uint8], start: int, line: NDArray[np.uint8], length: int) -> None:
+    """Copy the beginning of a line."""
+    values[start : start + length] = line[:length]
+
+
+@inlined
+def extend_row(image: Image, y: int, lanes: int) -> None:
+    """Repeat the ends of row ``y``; and the whole row, if it is the first or the last."""
+    values = image.values
+    length = image.stride * lanes
+    border = image.border * lanes
+    start = (y + image.border) * length
+    end = start + length - border
+    for i in range(border):
+        values[start + i] = values[start + border + i % lanes]
+        values[end + i] = values[end - lanes + i % lanes]
+    row = values[start : start + length]
+    if y == 0:
+        for k in range(1, image.border + 1):
+            values[start - k * length : start - k * length + length] = row
+    if y == image.height - 1:
+        for k in range(1, image.border + 1):
+            values[start + k * length : start + k * length + length] = row
+
+
+@cache
+def make_extend(lanes: int) -> Callable[..., None]:
+    """Build ``extend(image)``, which fills the border."""
+
+    @kernel(lanes, nogil=True)
+    def extend(image: Image) -> None:
+        for y in prange(image.height):
+            extend_row(image, y, lanes)
+
+    return extend

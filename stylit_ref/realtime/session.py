@@ -1,0 +1,371 @@
+"""A picture that follows its inputs in real time."""
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from threading import RLock
+from time import perf_counter
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stylit_ref.errors import InputError
+from stylit_ref.machine.free_threads import FreeThreads
+from stylit_ref.machine.replaced import Passes
+from stylit_ref.machine.thread_count import using_threads
+from stylit_ref.randomness.seed import check_seed
+from stylit_ref.realtime import passes as cpu_passes
+from stylit_ref.realtime.checks import (
+    check_guides,
+    check_labels,
+    check_nnf,
+    check_style,
+    check_weights,
+)
+from stylit_ref.realtime.exemplar import Exemplar
+from stylit_ref.realtime.formulae.grid import first_centre, last_centre
+from stylit_ref.realtime.layout import Layout
+from stylit_ref.realtime.params import RealtimeParams, as_realtime_params
+from stylit_ref.realtime.passes.image import Image
+from stylit_ref.realtime.refinement import Refinement, refine, start_level
+from stylit_ref.realtime.target import Target
+
+_TURN = RLock()
+"""Held by the session that computes: its kernels let other threads of Python run."""
+
+
+class FrameCancelledError(Exception):
+    """The frame was given up by :meth:`Session.cancel`; the session is as it was before it."""
+
+
+class Session:
+    """A source and a target, of which any part may change between two frames.
+
+    Several threads may call a session: they wait for each other.
+
+    Parameters
+    ----------
+    params : RealtimeParams or str, optional
+        Parameters, or the name of a preset.
+    seed : int
+    threads : int, optional
+        By default all, or one while other programs need the processors. Frames do not depend on it.
+    passes : module, optional
+        :mod:`stylit_ref.realtime.passes`, or such passes with some replaced.
+
+    Attributes
+    ----------
+    params : RealtimeParams
+    seed : int
+        A frame is given by it, the inputs and, if it starts warm, the NNF before it.
+    """
+
+    params: RealtimeParams
+    seed: int
+
+    def __init__(
+        self,
+        params: RealtimeParams | str | None = None,
+        *,
+        seed: int = 0,
+        threads: int | None = None,
+        passes: Passes = cpu_passes,
+    ) -> None:
+        check_seed(seed)
+        self.params, self.seed = as_realtime_params(params), seed
+        self._threads, self._free_threads = threads, FreeThreads()
+        self._passes = passes
+        self._stop = np.zeros(1, np.uint8)
+        self._exemplar: Exemplar | None = None
+        self._target: Target | None = None
+        self._nnf: list[NDArray[np.int32]] = []
+        self._labels: NDArray[np.uint8] | None = None
+        self._kept: int | None = None
+        self._has_frame = False
+
+    def set_exemplar(
+        self,
+        guides: NDArray[np.uint8],
+        style: NDArray[np.uint8],
+        labels: NDArray[np.uint8] | None = None,
+    ) -> None:
+        """Take another source; the target's guides must have as many channels.
+
+        Parameters
+        ----------
+        guides : (height, width, channels) uint8
+            A, packed; at most 28 channels, and fast up to 12.
+        style : (height, width, 3) uint8
+            A'.
+        labels : (height, width) uint8, optional
+            What each pixel belongs to.
+
+        Raises
+        ------
+        InputError
+            If they do not fit together.
+        """
+        guides = np.ascontiguousarray(check_guides(guides, "source_guides"))
+        size = guides.shape[:2]
+        style = np.ascontiguousarray(check_style(style, size))
+        labels = check_labels(labels if self.params.labels else None, size, "source_labels")
+        with self._turn():
+            if self._target is not None:
+                self._check_pair(guides.shape[2], self._target.layout.channels, "source_guides")
+                self._check_known(labels, self._labels, "source_labels")
+            layout = Layout(self.params, guides.shape[2], self._passes)
+            refinement = Refinement(layout, self._weights_for(layout.channels))
+            if self._exemplar is None or self._exemplar.size != size:
+                self._exemplar = Exemplar(*size, layout)
+                self._has_frame = False
+            self._exemplar.set_guides(guides)
+            self._exemplar.set_style(style)
+            self._exemplar.join()
+            self._exemplar.set_labels(labels)
+            self._refinement, self._kept = refinement, None
+            if self._target is not None:
+                self._target.set_labels(self._labels, self._exemplar.has_label)
+
+    def set_style(self, style: NDArray[np.uint8]) -> None:
+        """Take another A' of the same size, (height, width, 3) uint8.
+
+        What depends on the guides alone is kept, coarse levels of the next frame included.
+
+        Raises
+        ------
+        InputError
+            If it does not fit the source guides.
+        """
+        with self._turn():
+            exemplar = self._needs_exemplar()
+            exemplar.set_style(np.ascontiguousarray(check_style(style, exemplar.size)))
+            exemplar.join()
+
+    def set_target(
+        self, guides: NDArray[np.uint8], labels: NDArray[np.uint8] | None = None
+    ) -> None:
+        """Take another target.
+
+        Parameters
+        ----------
+        guides : (height, width, channels) uint8
+            B, packed as A is.
+        labels : (height, width) uint8, optional
+            Needed if the source has some, and none of its own.
+
+        Raises
+        ------
+        InputError
+            If they do not fit the source.
+        """
+        guides = np.ascontiguousarray(check_guides(guides, "target_guides"))
+        with self._turn():
+            target = self._target_of(guides.shape[:2], guides.shape[2])
+            labels = self._checked_labels(labels, target)
+            target.set_guides(guides)
+            self._take(target, labels)
+
+    def target_view(self, height: int, width: int) -> NDArray[np.uint8]:
+        """Where a target's guides can be written without a copy; then call :meth:`view_changed`.
+
+        Parameters
+        ----------
+        height, width : int
+
+        Returns
+        -------
+        (height, width, channels) uint8
+            A strided view, valid until the target changes its size.
+        """
+        with self._turn():
+            self._target = self._target_of((height, width), self._needs_exemplar().layout.channels)
+            return self._target.view
+
+    def view_changed(self, labels: NDArray[np.uint8] | None = None) -> None:
+        """Take what was written to :meth:`target_view`, and the labels that belong to it."""
+        with self._turn():
+            target = self._needs_target()
+            labels = self._checked_labels(labels, target)
+            target.view_changed()
+            self._take(target, labels)
+
+    def set_weights(self, weights: Sequence[int] | None) -> None:
+        """Weigh channels of the guides by integers; 0 leaves one out, None weighs all by 1.
+
+        Raises
+        ------
+        InputError
+            If there are not as many as channels, or they are too large.
+        """
+        with self._turn():
+            layout = self._needs_exemplar().layout
+            self._refinement = Refinement(layout, check_weights(weights, layout.channels))
+            self._kept = None
+
+    def frame(self, *, warm: bool = False, seed: int | None = None) -> NDArray[np.uint8]:
+        """B' of the inputs as they are.
+
+        Parameters
+        ----------
+        warm : bool
+            Start from the last frame's NNF and search level 0 alone: for a target that moves a
+            little, or to go on with the same one. After a stroke in the style a cold frame is
+            better, whose coarse levels are kept.
+        seed : int, optional
+            From now on.
+
+        Returns
+        -------
+        (height, width, 3) uint8
+
+        Raises
+        ------
+        FrameCancelledError
+            If :meth:`cancel` was called meanwhile.
+        InputError
+            If there is no source or target, or no frame that a warm one can start from.
+        """
+        with self._turn() as threads:
+            exemplar, target = self._needs_exemplar(), self._needs_target()
+            if seed is not None and seed != self.seed:
+                check_seed(seed)
+                self.seed, self._kept = seed, None
+            if warm and not self._has_frame:
+                raise InputError(
+                    "is true, but there is no frame to start from; begin with a cold one",
+                    parameter="warm",
+                )
+            self._stop[0] = 0
+            begun = perf_counter()
+            levels = self.params.levels
+            top = 0 if warm else levels - 1 if self._kept is None else self._kept - 1
+            nnf = [np.empty(grid, np.int32) for grid in target.grids[: top + 1]]
+            nnf += self._nnf[top + 1 :]
+            for level in range(top, -1, -1):
+                if warm:
+                    nnf[0][:] = self._nnf[0]
+                else:
+                    start_level(exemplar, nnf, level, self.seed)
+                refine(exemplar, target, self._refinement, nnf, level, self.seed, self._stop)
+                if self._stop[0]:
+                    raise FrameCancelledError("the frame was cancelled")
+            picture = self._blended(nnf[0])
+            if self._stop[0]:
+                raise FrameCancelledError("the frame was cancelled")
+            self._nnf, self._has_frame = nnf, True
+            if not warm:
+                self._kept = self._refinement.first_level_of_guides_alone
+            self._free_threads.took(threads, perf_counter() - begun)
+            return picture
+
+    def replay(self) -> NDArray[np.uint8]:
+        """B' from the last frame's NNF and the style as it is: at once, while someone paints.
+
+        Returns
+        -------
+        (height, width, 3) uint8
+        """
+        with self._turn():
+            self._needs_frame()
+            return self._blended(self._nnf[0])
+
+    def cancel(self) -> None:
+        """End a frame that another thread computes, at once, with :class:`FrameCancelledError`."""
+        self._stop[0] = 1
+
+    @property
+    def nnf(self) -> NDArray[np.int32]:
+        """The last frame's NNF: y and x of the source for every entry, (rows, columns, 2) int32.
+
+        Set it to start the next warm frame from it.
+        """
+        with self._turn():
+            self._needs_frame()
+            entries = self._nnf[0]
+            return np.stack([entries >> 16, entries & 0xFFFF], -1).astype(np.int32)
+
+    @nnf.setter
+    def nnf(self, nnf: NDArray[np.int32]) -> None:
+        with self._turn():
+            exemplar, target = self._needs_exemplar(), self._needs_target()
+            margin = exemplar.layout.margin
+            first, last = (
+                (end(exemplar.size[0], margin), end(exemplar.size[1], margin))
+                for end in (first_centre, last_centre)
+            )
+            nnf = check_nnf(nnf, target.grids[0], first, last)
+            levels = self._nnf or [np.zeros(grid, np.int32) for grid in target.grids]
+            self._nnf = [nnf[..., 0] << 16 | nnf[..., 1], *levels[1:]]
+            self._has_frame = True
+
+    @contextmanager
+    def _turn(self) -> Iterator[int]:
+        with _TURN:
+            threads = self._free_threads.number() if self._threads is None else self._threads
+            with using_threads(threads):
+                yield threads
+
+    def _blended(self, nnf):
+        exemplar, target, params = self._needs_exemplar(), self._needs_target(), self.params
+        picture = np.empty((*target.size, 3), np.uint8)
+        out = Image(picture.reshape(-1), target.size[1], 0, *target.size)
+        self._passes.make_blend(params.patch_width, params.step, 3)(nnf, exemplar.style[0], out)
+        return picture
+
+    def _target_of(self, size, channels):
+        layout = self._needs_exemplar().layout
+        self._check_pair(channels, layout.channels, "target_guides")
+        if self._target is not None and self._target.size == tuple(size):
+            return self._target
+        return Target(*size, layout)
+
+    def _take(self, target, labels):
+        if target is not self._target or [each.shape for each in self._nnf] != target.grids:
+            self._has_frame, self._nnf = False, []
+        self._target, self._labels, self._kept = target, labels, None
+        target.set_labels(labels, self._needs_exemplar().has_label)
+
+    def _checked_labels(self, labels, target):
+        labels = check_labels(labels if self.params.labels else None, target.size, "target_labels")
+        self._check_known(self._needs_exemplar().own_labels, labels, "target_labels")
+        return labels
+
+    def _check_known(self, source, target, parameter):
+        if target is None:
+            return
+        if source is None:
+            raise InputError(
+                "are given for the target alone; give them for the source too, or for neither",
+                parameter=parameter,
+            )
+        unknown = np.setdiff1d(target, source)
+        if unknown.size:
+            raise InputError(
+                f"have {unknown[0]} in the target, but not in the source; add a pixel of it to the "
+                f"source, or leave labels out",
+                parameter=parameter,
+            )
+
+    def _check_pair(self, channels, others, parameter):
+        if channels != others:
+            raise InputError(
+                f"has {channels} channels, but the other side has {others}; pack both alike",
+                parameter=parameter,
+            )
+
+    def _weights_for(self, channels):
+        refinement = getattr(self, "_refinement", None)
+        return (1,) * channels if refinement is None else refinement.weights
+
+    def _needs_exemplar(self):
+        if self._exemplar is None:
+            raise InputError("is not set; call set_exemplar first", parameter="exemplar")
+        return self._exemplar
+
+    def _needs_target(self):
+        if self._target is None:
+            raise InputError("is not set; call set_target first", parameter="target")
+        return self._target
+
+    def _needs_frame(self):
+        if not self._has_frame:
+            raise InputError("is not there yet; compute a frame first", parameter="nnf")
