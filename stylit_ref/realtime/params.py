@@ -60,8 +60,6 @@ class RealtimeParams:
         Leave out the guides where μ = 1 (equation 22).
     labels : bool
         Whether a patch must have the label of the entry that it is for, where labels are given.
-    dense_finish : bool
-        At last let each pixel take the best of its entries' patches, and average all that cover it.
     packing : {"packed", "all", "pca"}
         How buffers become guides: the thesis' channels (figure 16), all of them, or principal
         components.
@@ -80,7 +78,7 @@ class RealtimeParams:
         "sums", Choice(TERMS), "how channels count: as sums, or as the mean of each term"
     )
     iterations: tuple[int, ...] = parameter(
-        (1, 2, 4, 8), Several(Integer(0, 1000), "iterations of level"),
+        (1, 3, 4, 8), Several(Integer(0, 1000), "iterations of level"),
         "iterations by level, finest first",
     )  # fmt: skip
     radii: tuple[int, ...] = parameter(
@@ -95,7 +93,6 @@ class RealtimeParams:
     means: str = parameter("mip", Choice(MEANS), "scales: texels of coarser levels, or boxes")
     unread_terms: bool = parameter(True, Flag(), "do not read guides that have no weight")
     labels: bool = parameter(True, Flag(), "match only pixels of the same label")
-    dense_finish: bool = parameter(False, Flag(), "end with a match for every pixel")
     packing: str = parameter("packed", Choice(PACKINGS), "how buffers become guides")
 
     def __post_init__(self) -> None:
@@ -163,7 +160,7 @@ _THESIS = {
 REALTIME_PRESETS: dict[str, dict[str, Any]] = {
     "best": {},
     "quick": {
-        "mu": (16, 4, 4, 4, 0), "iterations": (1, 1, 2, 4, 8), "radii": (1, 4, 16, EVERYWHERE),
+        "mu": (16, 4, 4, 4, 0), "iterations": (1, 2, 2, 4, 8), "radii": (0, 4, 16, EVERYWHERE),
     },
     "simple": _THESIS,
     "optimized": {**_THESIS, "scale_space": True},
