@@ -136,7 +136,8 @@ def _figures(plan, report):
         figure("masks", "buffers of source and target", pictures.masks_figure),
         "### Artefacts where they differ (24)",
         figure("apart", "four artefacts", pictures.apart_figure),
-        "Places are those where the optimized method shows the artefact most.",
+        "Places are those where the optimized method shows the artefact most. The style's border "
+        "hardly shows here, since our patches lie wholly inside the style.",
         "### Characteristic artefacts (25)",
         figure("artefacts", "eight artefacts", pictures.artefacts_figure),
         "Above the optimized method, below the simple one, each where its number is worst; strokes "

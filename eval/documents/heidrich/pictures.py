@@ -73,7 +73,7 @@ def artefacts_figure(plan, file):
             crop = stored(job).image[window_of(artefact.number, job)]
             row.append((f"{method}: {NUMBERS[artefact.number].title}", crop))
         rows += [row[:4], row[4:]]
-    contact_sheet(rows, file, tile=230)
+    contact_sheet(rows, file, tile=200)
 
 
 def comparison_figure(plan, file):
@@ -97,7 +97,7 @@ def buffers_figure(plan, file):
             with_all.append((f"{method}, all", whole[window]))
             without.append((weights, image[window]))
         rows += [with_all, without]
-    contact_sheet(rows, file, tile=170)
+    contact_sheet(rows, file, tile=160)
 
 
 def structures_figure(plan, file):
@@ -109,7 +109,7 @@ def structures_figure(plan, file):
         rows[0].append((f"{style}: target", plan.scene(style).shown_guide[window]))
         rows[1].append(("optimized (OV)", images["optimized"][window]))
         rows[2].append(("simple (EV)", images["simple"][window]))
-    contact_sheet(rows, file, tile=230)
+    contact_sheet(rows, file, tile=210)
 
 
 def sweeps_figure(plan, file):
