@@ -14,13 +14,18 @@ ITERATIONS = 30
 
 NUMBERS = {
     "image_energy": Number("image energy", "{:.0f}"),
+    "median_energy": Number("median energy", "{:.0f}"),
     "distinct_in_image": Number("distinct in image", "{:.1%}"),
+    "energy_apart": Number("energy where masks differ", "{:.0f}"),
+    "energy_alike": Number("energy where masks agree", "{:.0f}"),
 }
 
 DEFINITION = """\
 - **image energy**: mean δ of the best match of every interior patch of the finished image, found by
   a converged λ = 0 search: the same question to every method. **distinct in image**: different
-  source centres in that field over interior pixels."""
+  source centres in that field over interior pixels. **median energy**: the median of those δ.
+  **energy where masks differ**: their mean over pixels whose IDMASK or LIGHTMASK is not the
+  source's in the same place (Heidrich 2017, 6.2.1), for scenes that have both buffers."""
 
 
 @dataclass(frozen=True)
@@ -29,20 +34,55 @@ class ImageEnergy:
 
     Attributes
     ----------
-    mean : float
-        Mean best-match δ over the interior pixels (a patch radius from the edge).
+    delta : (H_B - w + 1, W_B - w + 1) float64
+        Best-match δ of the interior pixels (a patch radius from the edge).
     distinct : float
         Different source centres over interior pixels.
     """
 
-    mean: float
+    delta: np.ndarray
     distinct: float
+
+    @property
+    def mean(self):
+        """Mean δ."""
+        return float(self.delta.mean())
 
 
 def measure(scene, outcome):
-    """Both numbers of the finished image."""
+    """All numbers of the finished image."""
     energy = image_energy(scene, outcome.image)
-    return {"image_energy": energy.mean, "distinct_in_image": energy.distinct}
+    numbers = {
+        "image_energy": energy.mean,
+        "median_energy": float(np.median(energy.delta)),
+        "distinct_in_image": energy.distinct,
+    }
+    apart = masks_apart(scene)
+    if apart is not None:
+        margin = (apart.shape[0] - energy.delta.shape[0]) // 2
+        inner = apart[margin : apart.shape[0] - margin, margin : apart.shape[1] - margin]
+        for name, region in (("energy_apart", inner), ("energy_alike", ~inner)):
+            if region.any():
+                numbers[name] = float(energy.delta[region].mean())
+    return numbers
+
+
+def masks_apart(scene):
+    """Where source and target differ in what they show: the object, the ground, light or shadow.
+
+    Parameters
+    ----------
+    scene : Scene
+
+    Returns
+    -------
+    (H, W) bool, or None
+        None if the scene lacks a mask, or its target is not as large as its source.
+    """
+    pairs = [scene.buffers.get(name) for name in ("IDMASK", "LIGHTMASK")]
+    if None in pairs or any(source.shape != target.shape for source, target in pairs):
+        return None
+    return np.any([((s > 127) != (t > 127)).any(axis=2) for s, t in pairs], axis=0)
 
 
 def image_energy(scene, image, patch_width=5, seed=1) -> ImageEnergy:
@@ -77,6 +117,6 @@ def image_energy(scene, image, patch_width=5, seed=1) -> ImageEnergy:
     centres = level.nnf[interior].reshape(-1, 2)
     flat = np.ravel_multi_index(centres.T, scene.style.shape[:2])
     return ImageEnergy(
-        mean=float(level.delta[interior].mean() / ONE),
+        delta=level.delta[interior] / ONE,
         distinct=np.unique(flat).size / flat.size,
     )

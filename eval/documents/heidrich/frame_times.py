@@ -1,0 +1,78 @@
+"""The time of a frame, of several methods in turns."""
+
+import time
+from dataclasses import dataclass
+
+import numpy as np
+import pandas as pd
+
+from eval.device import processor
+from eval.outcome import Outcome
+from stylit_ref.machine.code_digest import code_digest
+from stylit_ref.machine.forks import available_threads
+
+_CODE = code_digest(__file__, without=("gpu_cuda",))
+
+
+@dataclass(frozen=True)
+class FrameTimes:
+    """Cold frames from the caller's buffers to a picture, packing included, kernels compiled.
+
+    Methods take turns, so that what else the machine does falls on all of them. Each frame is made
+    on one thread, where the time of the processor is that of the work alone, and on all.
+
+    Attributes
+    ----------
+    name : str
+        What is compared.
+    methods : tuple of Realtime or Hybrid
+    rounds : int
+        The history has the least of so many.
+    """
+
+    name: str
+    methods: tuple
+    rounds: int
+
+    cost = 10.0
+
+    @property
+    def code(self):
+        """Digest of the algorithm."""
+        return _CODE
+
+    @property
+    def device(self):
+        """Name of the processor."""
+        return processor()
+
+    def run(self, scene, seed, progress=None):
+        """Make the frames.
+
+        Parameters
+        ----------
+        scene : Scene
+        seed : int
+        progress : callable, optional
+            Not called.
+
+        Returns
+        -------
+        Outcome
+            The history has a row for each method: ``method``, ``cpu`` in milliseconds on one
+            thread, ``wall`` in milliseconds on all. The image is the last one's.
+        """
+        least = pd.DataFrame({"method": [method.name for method in self.methods]})
+        begun = time.perf_counter()
+        for column, threads, clock in (
+            ("cpu", 1, time.process_time), ("wall", available_threads(), time.perf_counter),
+        ):  # fmt: skip
+            makers = [method.frames(scene, seed, threads) for method in self.methods]
+            spent = np.full((self.rounds + 1, len(makers)), np.inf)
+            for turn in spent:
+                for number, maker in enumerate(makers):
+                    before = clock()
+                    image = maker.frame()
+                    turn[number] = 1000 * (clock() - before)
+            least[column] = spent[1:].min(axis=0)  # the first turn compiles
+        return Outcome(image, time.perf_counter() - begun, history=least)

@@ -1,0 +1,242 @@
+"""Which runs the tables and figures of the thesis need."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache, cached_property
+from itertools import chain, combinations
+
+from eval.documents.heidrich.dense import Dense
+from eval.documents.heidrich.frame_times import FrameTimes
+from eval.documents.heidrich.outlook import FewestBuffers, Hybrid
+from eval.documents.heidrich.stage import STYLES
+from eval.methods.lit_sphere import LitSphere
+from eval.methods.realtime import Realtime
+from eval.methods.styleblit import StyleBlit
+from eval.runs.complete import Task
+from eval.runs.job import Job
+from eval.scenes import Scene
+from stylit_ref import Params
+from stylit_ref.realtime.packing.stage import STAGE_BUFFERS
+from stylit_ref.realtime.params import RealtimeParams
+
+METRICS = "copying", "image_energy", "sharpness", "spilling", "strokes", "wrong_things"
+"""What is measured of every picture; for those on the sheet also the background, which is slow."""
+
+DENSE = {"ref": Params(), "StyLit": Params("stylit")}
+RIVALS = {"Lit Sphere": LitSphere(), "StyleBlit": StyleBlit()}
+THESIS = "simple", "optimized"
+PRODUCTS = "quick", "best"
+METHODS = (*DENSE, *RIVALS, *THESIS, *PRODUCTS)
+
+WIDTHS = (3, 5, 7, 9, 11, 13)
+"""w of the simple method."""
+
+DEPTHS = (1, 2, 3, 4)
+"""D of the optimized one."""
+
+SIDES = (500, 1000)
+"""Pixels along the pictures of table 1."""
+
+SAVINGS = {
+    "packing": {"packing": "all"},
+    "scale space": {"scale_space": False},
+    "unread terms": {"unread_terms": False},
+}
+"""The three savings of 4.2, and what leaves each out of the optimized method."""
+
+LEFT_OUT = tuple(
+    chain.from_iterable(combinations(SAVINGS, count) for count in range(len(SAVINGS) + 1))
+)
+"""Which savings the variants of the ablation lack."""
+
+BUFFERS = {
+    **{f"without {name}": ((name, 0),) for name in STAGE_BUFFERS},
+    "FULL alone": tuple((name, 0) for name in STAGE_BUFFERS if name != "FULL"),
+}
+"""Weights of figure 27."""
+
+SCHEDULES = {
+    "both terms to the finest level": (8, 8, 8, 8, 0, 0),
+    "both terms from the coarsest level": (16, 16, 8, 8, 8, 8),
+}
+"""μ in sixteenths, the finest level first; the thesis has 16 16 8 8 0 0 (4.2.4)."""
+
+ITERATIONS = (1, 2, 4, 8)
+"""Iterations a level; the thesis has 2."""
+
+
+@dataclass(frozen=True)
+class Preset:
+    """How much is done.
+
+    Attributes
+    ----------
+    studied : tuple of str
+        Styles of the ablation and of the sweeps.
+    rounds : int
+        In which frames are timed, in turns.
+    """
+
+    studied: tuple[str, ...]
+    rounds: int
+
+
+PRESETS = {"quick": Preset(("oil",), 7), "full": Preset(STYLES, 50)}
+
+
+@dataclass(frozen=True)
+class Plan:
+    """The runs of a preset.
+
+    Attributes
+    ----------
+    name : str
+    preset : Preset
+    shown : callable
+        The scene of a style, of which pictures are made.
+    timed : callable
+        The scene of ``side`` x ``side`` pixels on which frames are timed.
+    sides : tuple of int
+    """
+
+    name: str
+    preset: Preset
+    shown: Callable[[str], Scene]
+    timed: Callable[[int], Scene]
+    sides: tuple[int, ...] = SIDES
+
+    @cached_property
+    def _scene(self):
+        return cache(self.shown)
+
+    @cached_property
+    def _timed(self):
+        return cache(self.timed)
+
+    def scene(self, style):
+        """The stage in a style."""
+        return self._scene(style)
+
+    def picture(self, style, name, seed=0):
+        """A run of one of :data:`METHODS`."""
+        if name in DENSE:
+            return Job(self.scene(style), Dense(DENSE[name]), seed)
+        if name in RIVALS:
+            return Job(self.scene(style), RIVALS[name], seed)
+        return self._realtime(style, name, name, seed=seed)
+
+    def left_out(self, style, savings):
+        """The optimized method without some of the savings."""
+        for method, lacking in (("optimized", ()), ("simple", ("scale space",))):
+            if savings == lacking:
+                return self.picture(style, method)
+        return Job(self.scene(style), _variant(savings))
+
+    def width(self, style, width):
+        """The simple method with patches of another width."""
+        if width == RealtimeParams.preset("simple").patch_width:
+            return self.picture(style, "simple")
+        return self._realtime(style, f"w = {width}", "simple", patch_width=width)
+
+    def depth(self, style, depth):
+        """The optimized method with another number of scales."""
+        if depth == RealtimeParams.preset("optimized").depth:
+            return self.picture(style, "optimized")
+        return self._realtime(style, f"D = {depth}", "optimized", depth=depth)
+
+    def boxes(self, style):
+        """The optimized method, its scales means of boxes around the pixel."""
+        return self._realtime(style, "optimized, boxes", "optimized", means="box")
+
+    def weighted(self, style, method, weights):
+        """A method with one of :data:`BUFFERS`."""
+        name = f"{method}, {weights}"
+        return self._realtime(style, name, method, BUFFERS[weights])
+
+    def scheduled(self, style, schedule):
+        """The simple method with one of :data:`SCHEDULES`."""
+        return self._realtime(style, schedule, "simple", mu=SCHEDULES[schedule])
+
+    def iterated(self, style, iterations):
+        """The simple method with other iterations a level."""
+        if (iterations,) == RealtimeParams.preset("simple").iterations:
+            return self.picture(style, "simple")
+        return self._realtime(style, f"{iterations} iterations", "simple", iterations=(iterations,))
+
+    def hybrid(self, style):
+        """Patches at the finest level, scales at the others."""
+        return Job(self.scene(style), Hybrid())
+
+    def fewest(self, style, method):
+        """How many buffers a method can do without."""
+        return Job(self.scene(style), FewestBuffers(_realtime_method(method, method)))
+
+    def _realtime(self, style, name, preset, weights=(), seed=0, **changes):
+        return Job(self.scene(style), _realtime_method(name, preset, weights, **changes), seed)
+
+    def times(self, side):
+        """Table 1: the thesis' methods and ours."""
+        return self._times(side, "methods", [_realtime_method(n, n) for n in THESIS + PRODUCTS])
+
+    def times_of_savings(self, side):
+        """The ablation's times."""
+        return self._times(side, "savings", [_variant(savings) for savings in LEFT_OUT])
+
+    def times_of_widths(self, side):
+        """Times of the simple method as w grows."""
+        methods = [_realtime_method(f"{w}", "simple", patch_width=w) for w in WIDTHS]
+        return self._times(side, "w", methods)
+
+    def times_of_depths(self, side):
+        """Times of the optimized method as D grows."""
+        methods = [_realtime_method(f"{d}", "optimized", depth=d) for d in DEPTHS]
+        return self._times(side, "D", methods)
+
+    def times_of_few(self, side):
+        """Times of what the outlook asks for."""
+        return self._times(side, "hybrid", [_realtime_method("optimized", "optimized"), Hybrid()])
+
+    def _times(self, side, name, methods):
+        return Job(self._timed(side), FrameTimes(name, tuple(methods), self.preset.rounds))
+
+    @property
+    def studies(self):
+        """The runs of the ablation, the sweeps and the other choices."""
+        jobs = []
+        for style in self.preset.studied:
+            jobs += [self.left_out(style, savings) for savings in LEFT_OUT]
+            jobs += [self.width(style, width) for width in WIDTHS]
+            jobs += [self.depth(style, depth) for depth in DEPTHS] + [self.boxes(style)]
+            jobs += [self.weighted(style, method, w) for method in THESIS for w in BUFFERS]
+            jobs += [self.scheduled(style, schedule) for schedule in SCHEDULES]
+            jobs += [self.iterated(style, iterations) for iterations in ITERATIONS]
+            jobs += [self.picture(style, method, seed=1) for method in THESIS]
+            jobs.append(self.hybrid(style))
+        return jobs
+
+    @property
+    def tasks(self):
+        """Every run once, with the metrics to measure of it."""
+        tasks = [
+            Task(make(side), ())
+            for side in self.sides
+            for make in (
+                self.times, self.times_of_savings, self.times_of_widths, self.times_of_depths,
+                self.times_of_few,
+            )
+        ]  # fmt: skip
+        sheet = [self.picture(style, name) for style in STYLES for name in METHODS]
+        pictures = {job.key: Task(job, METRICS) for job in self.studies}
+        pictures |= {job.key: Task(job, (*METRICS, "background")) for job in sheet}
+        tasks += [Task(self.fewest(style, "simple"), ()) for style in self.preset.studied]
+        return [*tasks, *pictures.values()]
+
+
+def _realtime_method(name, preset, weights=(), **changes):
+    return Realtime(name, RealtimeParams.preset(preset, **changes), weights)
+
+
+def _variant(savings):
+    changes = {name: value for saving in savings for name, value in SAVINGS[saving].items()}
+    name = f"without {', '.join(savings)}" if savings else "all three"
+    return _realtime_method(name, "optimized", **changes)

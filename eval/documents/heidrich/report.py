@@ -1,0 +1,30 @@
+"""Repeat chapters 4 to 7 of Heidrich (2017) on our stage: tables, figures, claims and outlook."""
+
+from functools import partial
+
+from eval.documents.heidrich import stage
+from eval.documents.heidrich.page import document
+from eval.documents.heidrich.plan import PRESETS, SIDES, Plan
+from eval.pages.document import make_document
+from eval.pages.options import add_output, folder_of
+
+
+def add_options(parser):
+    """Declare what the report may be told."""
+    parser.add_argument(
+        "--preset", choices=PRESETS, default="quick",
+        help="quick: pictures of 300x228, one style studied; full: 500x500, all styles, and "
+        "renders what is not there yet (default quick)",
+    )  # fmt: skip
+    add_output(parser, "heidrich_PRESET")
+
+
+def main(options):
+    """Do the runs and make the report; returns the exit code."""
+    if options.preset == "full":
+        shown = partial(stage.rendered, side=SIDES[0])
+        timed = partial(stage.rendered, "oil")
+    else:
+        shown, timed = stage.bundled, stage.for_times
+    plan = Plan(options.preset, PRESETS[options.preset], shown, timed)
+    return make_document(document(plan), folder_of(options, f"heidrich_{plan.name}"))

@@ -1,0 +1,163 @@
+"""The stylization in real time of the library itself, on the stage of Heidrich (2017)."""
+
+import time
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from eval.device import processor
+from eval.outcome import Outcome
+from stylit_ref.machine.code_digest import code_digest
+from stylit_ref.realtime.packing import PrincipalPacking, StagePacking, UnpackedStage, pack
+from stylit_ref.realtime.packing.stage import STAGE_BUFFERS
+from stylit_ref.realtime.params import RealtimeParams
+from stylit_ref.realtime.session import Session
+
+_CODE = code_digest(__file__, without=("gpu_cuda",))
+
+
+@dataclass(frozen=True)
+class Realtime:
+    """Frames of :class:`stylit_ref.realtime.session.Session`.
+
+    Attributes
+    ----------
+    name : str
+        What reports call it.
+    params : RealtimeParams
+    weights : tuple of (str, int)
+        Of buffers, where it is not 1; 0 leaves one out.
+    """
+
+    name: str
+    params: RealtimeParams = field(default_factory=RealtimeParams)
+    weights: tuple[tuple[str, int], ...] = ()
+
+    cost = 0.1
+
+    @property
+    def code(self):
+        """Digest of the algorithm."""
+        return _CODE
+
+    @property
+    def device(self):
+        """Name of the processor."""
+        return processor()
+
+    def frames(self, scene, seed, threads=None):
+        """A session that makes frames of the scene, :class:`Frames`."""
+        return Frames(scene, self.params, self.weights, seed, threads)
+
+    def run(self, scene, seed, progress=None):
+        """Make a cold frame; the kernels are compiled first.
+
+        Parameters
+        ----------
+        scene : Scene
+            With the buffers of the stage.
+        seed : int
+        progress : callable, optional
+            Not called: a frame takes a twentieth of a second.
+
+        Returns
+        -------
+        Outcome
+            The NNF has the place of every pixel in the patch of its nearest entry.
+        """
+        return outcome_of(self.frames(scene, seed), self.params.step)
+
+
+class Frames:
+    """A session, and the target's buffers that it makes frames of.
+
+    Parameters
+    ----------
+    scene : Scene
+    params : RealtimeParams
+    weights : tuple of (str, int)
+    seed : int
+    threads : int, optional
+    """
+
+    def __init__(self, scene, params, weights=(), seed=0, threads=None):
+        source, self.target = (
+            {name: scene.buffers[name][side] for name in STAGE_BUFFERS} for side in (0, 1)
+        )
+        self.size = scene.target_guides[0].shape[:2]
+        self.source_size = scene.style.shape[:2]
+        self.packing = _packing(params.packing, source)
+        self.session = Session(params, seed=seed, threads=threads)
+        features, labels = pack(self.packing, source)
+        self.session.set_exemplar(features, scene.style, labels)
+        weights = dict(weights)
+        self.session.set_weights([weights.get(name, 1) for name in self.packing.channels])
+        self._labels = np.zeros(self.size, np.uint8)
+
+    def take(self):
+        """Pack the target's buffers."""
+        view = self.session.target_view(*self.size)
+        self.packing.pack_into(self.target, view, self._labels)
+        self.session.view_changed(self._labels)
+
+    def frame(self):
+        """A cold frame from the caller's buffers, packing included; (H, W, 3) uint8."""
+        self.take()
+        return self.session.frame()
+
+
+def outcome_of(frames, step):
+    """A frame, the time of another one, and where its pixels were taken from.
+
+    Parameters
+    ----------
+    frames : Frames
+    step : int
+        Pixels from entry to entry of its grid.
+
+    Returns
+    -------
+    Outcome
+    """
+    frames.frame()  # compiles
+    start = time.perf_counter()
+    image = frames.frame()
+    seconds = time.perf_counter() - start
+    nnf = of_every_pixel(frames.session.nnf, step, frames.size, frames.source_size)
+    return Outcome(image, seconds, nnf)
+
+
+def of_every_pixel(entries, step, size, source_size):
+    """The place of every pixel in the patch of the entry nearest to it.
+
+    Parameters
+    ----------
+    entries : (rows, columns, 2) int32
+        Centres ``(y, x)`` in the source, of an entry at every ``step``-th pixel.
+    step : int
+    size, source_size : (int, int)
+        Height and width.
+
+    Returns
+    -------
+    (H, W, 2) int32
+    """
+    nearest = [
+        np.minimum((np.arange(pixels) + step // 2) // step, count - 1)
+        for pixels, count in zip(size, entries.shape[:2], strict=True)
+    ]
+    rows, columns = np.ix_(*nearest)
+    offsets = np.stack(
+        np.broadcast_arrays(
+            (np.arange(size[0]) - step * nearest[0])[:, None],
+            np.arange(size[1]) - step * nearest[1],
+        ),
+        axis=2,
+    )
+    return (entries[rows, columns] + offsets).clip(0, np.array(source_size) - 1).astype(np.int32)
+
+
+def _packing(name, source):
+    if name == "pca":
+        return PrincipalPacking.of_source(source)
+    return StagePacking() if name == "packed" else UnpackedStage()
