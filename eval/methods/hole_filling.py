@@ -5,7 +5,7 @@ The paper fills holes with random coordinates and lets the synthesizer run. Four
 """
 
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import pandas as pd
@@ -14,8 +14,6 @@ from scipy.ndimage import distance_transform_edt, gaussian_filter
 from eval.device import processor
 from eval.outcome import Outcome
 from stylit_ref.machine.code_digest import code_digest
-from stylit_ref.randomness.random_stream import GRID
-from stylit_ref.texture.cells import grid_cells
 from stylit_ref.texture.complete import VOID
 from stylit_ref.texture.formulae.seam_cost import ONE
 from stylit_ref.texture.params import TextureParams
@@ -72,8 +70,11 @@ def hole_of(name, shape):
 class _OnGrid(TextureSession):
     """Cells that do not know where the hole is."""
 
-    def _cells(self, radius):
-        return grid_cells(self.size, radius, self._stream(GRID))
+    def offer(self, texture, predicate):
+        canvas, self.canvas = self.canvas, replace(self.canvas, free=None)
+        offered = super().offer(texture, predicate)
+        self.canvas = canvas
+        return offered
 
 
 class _BlindCuts(TextureSession):

@@ -41,17 +41,11 @@ def test_a_preset_may_leave_memory_out():
     assert peak_memory(SimpleNamespace(preset=SimpleNamespace(memory_of=()))).empty
 
 
-def test_a_stroke_wraps_and_is_as_long_as_the_brush_is_wide():
+def test_a_stroke_wraps_and_is_as_long_as_the_brush_is_wide(monkeypatch):
     painted = []
-
-    class Session:
-        size = 300, 320
-
-        def paint(self, mask, exemplar):
-            painted.append(mask)
-
+    monkeypatch.setattr(interaction_module, "paint", lambda _, mask, exemplar: painted.append(mask))
     for place in ((150, 160), (0, 3)):
-        interaction_module._stroke(Session(), place)
+        interaction_module._stroke(SimpleNamespace(size=(300, 320)), place)
     inside, wrapped = painted
     assert np.ptp(np.nonzero(inside.any(axis=0))[0]) == pytest.approx(128, abs=2)
     assert np.ptp(np.nonzero(inside.any(axis=1))[0]) == pytest.approx(64, abs=2)
