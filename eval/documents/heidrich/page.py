@@ -37,6 +37,7 @@ def _sections(plan, report):
         *_requirements(required, report),
         *_times(plan, report),
         *_quality(plan, report),
+        *_large(plan, report),
         *_figures(plan, report),
         *_choices(plan, report),
         "## What the numbers are",
@@ -119,6 +120,20 @@ def _quality(plan, report):
         "empty picture has little, so look at the sheet. Rivals have no ground, and do not tell "
         "where a pixel comes from. *Background broken* does not see wall on the ground, which are "
         "one background to the thesis; *spilled* does.",
+    ]
+
+
+def _large(plan, report):
+    if plan.large is None:
+        return []
+    table = tables.large(plan)
+    size = plan.large_picture(STYLES[0], "simple").scene.size.replace("x", " x ")
+    return [
+        f"### At {size}",
+        report.table("large", table, tables.formatted(table)),
+        "The thesis' size, where coarse levels are larger and highlights wider. This tells of "
+        "artefacts of the methods in real time; the table above compares them with others. "
+        "Figures 21, 22, 25 and 28 are of this size.",
     ]
 
 

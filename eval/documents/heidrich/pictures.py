@@ -12,7 +12,8 @@ from eval.metrics.image_energy import masks_apart
 from eval.pages.figures import contact_sheet
 from eval.runs.store import stored
 
-TITLES = {"optimized": "optimized (OV)", "simple": "simple (EV)"}
+SHORT = {"optimized": "OV", "simple": "EV"}
+TITLES = {method: f"{method} ({short})" for method, short in SHORT.items()}
 
 
 def sheet_figure(plan, file):
@@ -26,8 +27,8 @@ def sheet_figure(plan, file):
 
 def method_figure(method, plan, file):
     """Figures 21 and 22: a method in all styles."""
-    images = [(style, stored(plan.picture(style, method)).image) for style in STYLES]
-    contact_sheet([images[:2], images[2:]], file, tile=400)
+    images = [(style, stored(plan.large_picture(style, method)).image) for style in STYLES]
+    contact_sheet([images[:2], images[2:]], file, tile=360)
 
 
 def masks_figure(plan, file):
@@ -69,9 +70,9 @@ def artefacts_figure(plan, file):
         row = []
         for artefact in ARTEFACTS:
             style = "pen" if artefact.number in ("hatching", "bent") else "oil"
-            job = plan.picture(style, method)
+            job = plan.large_picture(style, method)
             crop = stored(job).image[window_of(artefact.number, job)]
-            row.append((f"{method}: {NUMBERS[artefact.number].title}", crop))
+            row.append((f"{SHORT[method]}: {NUMBERS[artefact.number].title}", crop))
         rows += [row[:4], row[4:]]
     contact_sheet(rows, file, tile=200)
 
@@ -104,9 +105,10 @@ def structures_figure(plan, file):
     """Figure 28: where both methods differ most, in each style."""
     rows = [[], [], []]
     for style in STYLES:
-        images = {method: stored(plan.picture(style, method)).image for method in THESIS}
+        images = {method: stored(plan.large_picture(style, method)).image for method in THESIS}
         window = densest(np.abs(images["simple"].astype(int) - images["optimized"]).sum(axis=2))
-        rows[0].append((f"{style}: target", plan.scene(style).shown_guide[window]))
+        guide = plan.large_picture(style, "simple").scene.shown_guide
+        rows[0].append((f"{style}: target", guide[window]))
         rows[1].append(("optimized (OV)", images["optimized"][window]))
         rows[2].append(("simple (EV)", images["simple"][window]))
     contact_sheet(rows, file, tile=210)

@@ -22,6 +22,9 @@ from stylit_ref.realtime.params import RealtimeParams
 METRICS = "copying", "image_energy", "sharpness", "spilling", "strokes", "wrong_things"
 """What is measured of every picture; for those on the sheet also the background, which is slow."""
 
+WITHOUT_ENERGY = tuple(name for name in METRICS if name != "image_energy")
+"""What is measured of large pictures, whose energy would take minutes."""
+
 DENSE = {"ref": Params(), "StyLit": Params("stylit")}
 RIVALS = {"Lit Sphere": LitSphere(), "StyleBlit": StyleBlit()}
 THESIS = "simple", "optimized"
@@ -97,6 +100,8 @@ class Plan:
     timed : callable
         The scene of ``side`` x ``side`` pixels on which frames are timed.
     sides : tuple of int
+    large : callable, optional
+        The scene of a style at the thesis' size, if ``shown`` gives smaller ones.
     """
 
     name: str
@@ -104,6 +109,7 @@ class Plan:
     shown: Callable[[str], Scene]
     timed: Callable[[int], Scene]
     sides: tuple[int, ...] = SIDES
+    large: Callable[[str], Scene] | None = None
 
     @cached_property
     def _scene(self):
@@ -124,6 +130,16 @@ class Plan:
         if name in RIVALS:
             return Job(self.scene(style), RIVALS[name], seed)
         return self._realtime(style, name, name, seed=seed)
+
+    @cached_property
+    def _large(self):
+        return cache(self.large)
+
+    def large_picture(self, style, name):
+        """A run of a method in real time, at the thesis' size if it is there."""
+        if self.large is None:
+            return self.picture(style, name)
+        return Job(self._large(style), _realtime_method(name, name))
 
     def left_out(self, style, savings):
         """The optimized method without some of the savings."""
@@ -229,6 +245,12 @@ class Plan:
         pictures = {job.key: Task(job, METRICS) for job in self.studies}
         pictures |= {job.key: Task(job, (*METRICS, "background")) for job in sheet}
         tasks += [Task(self.fewest(style, "simple"), ()) for style in self.preset.studied]
+        if self.large is not None:
+            tasks += [
+                Task(self.large_picture(style, name), WITHOUT_ENERGY)
+                for style in STYLES
+                for name in THESIS + PRODUCTS
+            ]
         return [*tasks, *pictures.values()]
 
 

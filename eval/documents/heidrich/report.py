@@ -23,8 +23,9 @@ def main(options):
     """Do the runs and make the report; returns the exit code."""
     if options.preset == "full":
         shown = partial(stage.rendered, side=SIDES[0])
-        timed = partial(stage.rendered, "oil")
+        timed, large = partial(stage.rendered, "oil"), None
     else:
         shown, timed = stage.bundled, stage.for_times
-    plan = Plan(options.preset, PRESETS[options.preset], shown, timed)
+        large = partial(stage.rendered, side=SIDES[0]) if stage.is_rendered(SIDES[0]) else None
+    plan = Plan(options.preset, PRESETS[options.preset], shown, timed, large=large)
     return make_document(document(plan), folder_of(options, f"heidrich_{plan.name}"))

@@ -121,6 +121,17 @@ def quality(plan):
     return pd.DataFrame(rows)
 
 
+def large(plan):
+    """The numbers of the methods in real time at the thesis' size, without energy."""
+    rows = []
+    for style in STYLES:
+        for method in THESIS + PRODUCTS:
+            found = numbers_of(plan.large_picture(style, method))
+            numbers = {name: found[name] for name in SHOWN if name in found}
+            rows.append({"style": style, "method": method, **numbers})
+    return pd.DataFrame(rows)
+
+
 def formatted(table):
     """A table of words and metrics as text, with the metrics' titles."""
     text = pd.DataFrame()

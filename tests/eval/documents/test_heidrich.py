@@ -27,11 +27,12 @@ def small(style):
     return stage.enlarged(stage.bundled(style), 80)
 
 
-def tiny_plan(name, preset, shown, timed):
+def tiny_plan(name, preset, shown, timed, large):
     """The plan on small pictures; frames are timed on a hundredth of their pixels."""
     return Plan(
-        name, Preset(("oil",), 1), small, lambda side: stage.enlarged(small("oil"), side // 10)
-    )
+        name, Preset(("oil",), 1), small, lambda side: stage.enlarged(small("oil"), side // 10),
+        large=lambda style: stage.enlarged(small(style), 120),
+    )  # fmt: skip
 
 
 @pytest.fixture(scope="module")
