@@ -1,75 +1,104 @@
-"""How many threads find a processor of their own at the moment.
+"""Whether frames are faster with all threads or with one at the moment.
 
 Threads of a kernel wait for each other. Beside other busy programs one of them has to wait for a
 processor first, and the rest for it: a frame then takes several times as long as with one thread.
 """
 
-from time import perf_counter
-
-import numpy as np
-from numba import prange
-from numpy.typing import NDArray
+from collections.abc import Callable, Hashable, Iterator
+from contextlib import contextmanager
+from time import perf_counter, thread_time
 
 from stylit_ref.machine.forks import available_threads
-from stylit_ref.machine.kernel import kernel
 from stylit_ref.machine.thread_count import using_threads
 
-_MEETINGS = 8
-_PATIENCE = 3.0
-"""A meeting of all threads that takes so many times what it does with one thread is disturbed."""
+_WORTH = 0.8
+"""All threads are taken again when a frame takes less than this part of one thread's time."""
 
-
-@kernel(nogil=True)
-def _meet(work: NDArray[np.int64], rounds: int) -> None:
-    for k in prange(work.size):
-        state = work[k]
-        for _ in range(rounds):
-            state = state * 6364136223846793005 + 1442695040888963407
-        work[k] = state
+_REFRESH = 4.0  # seconds after which one thread's time is measured again
+_SHORTEST, _LONGEST = 0.1, 1.0  # seconds until all threads are tried again
+_DISTURBED = 8.0  # the same in seconds while even one thread has to wait for a processor
+_WINDOW = 0.25  # seconds of frames that tell whether it has
 
 
 class FreeThreads:
-    """Finds out now and then whether all threads have a processor.
+    """Lets frames run with all threads or with one, whichever was faster of late.
+
+    Now and then a single frame tries the other way. With one thread a frame's own processor time
+    tells how long it waited: as long as it does, other programs are busy, and trials are rare.
 
     Parameters
     ----------
-    calm, busy : float
-        Seconds between two looks while all threads are used, and while one is.
+    clock, own_clock : callable
+        Seconds, and those that this thread had a processor.
     """
 
-    def __init__(self, calm: float = 0.1, busy: float = 0.4) -> None:
-        self._pause = {True: calm, False: busy}
-        self._are_free = True
-        self._next = 0.0
-        self._usual = float("inf")
+    def __init__(
+        self,
+        clock: Callable[[], float] = perf_counter,
+        own_clock: Callable[[], float] = thread_time,
+    ) -> None:
+        self._clock, self._own_clock = clock, own_clock
+        self._uses_all = True
+        self._seconds: dict[Hashable, dict[bool, float]] = {}
+        self._next_trial = 0.0
+        self._pause = _SHORTEST
+        self._is_disturbed = False
+        self._wall = self._own = 0.0
 
+    @property
     def number(self) -> int:
-        """All threads, or 1 if another program needs their processors."""
-        available = available_threads()
-        if available == 1:
-            return 1
-        now = perf_counter()
-        if now >= self._next:
-            self._are_free = self._look(available)
-            self._next = perf_counter() + self._pause[self._are_free]
-        return available if self._are_free else 1
+        """How many threads are the better choice: all, or 1."""
+        return available_threads() if self._uses_all else 1
 
-    def took(self, threads: int, seconds: float) -> None:
-        """Tell how long a frame took; after a slow one with all threads a look is due at once."""
-        if threads > 1:
-            if seconds > 1.5 * self._usual:
-                self._next = 0.0
-            self._usual = min(seconds, 1.1 * self._usual)
+    def forget(self) -> None:
+        """Tell that frames take another time from now on."""
+        self._seconds.clear()
 
-    def _look(self, available):
-        """Whether threads that have little to do meet in the time that the work takes."""
-        work = np.zeros(available, np.int64)
-        times = []
-        for threads in (1, available):
-            with using_threads(threads):
-                _meet(work, 1)  # wakes them
-                start = perf_counter()
-                for _ in range(_MEETINGS):
-                    _meet(work, 8000 * threads // available)
-                times.append(perf_counter() - start)
-        return times[1] < _PATIENCE * times[0]
+    @contextmanager
+    def frame(self, kind: Hashable) -> Iterator[None]:
+        """Compute a frame in the block, with the better number of threads or as a trial.
+
+        Parameters
+        ----------
+        kind : hashable
+            Frames of one kind take about as long as each other.
+        """
+        if available_threads() == 1:
+            yield
+            return
+        begun, own = self._clock(), self._own_clock()
+        seconds = self._seconds.setdefault(kind, {})
+        is_trial = self._is_trial_due(seconds, begun)
+        with_all = self._uses_all != is_trial
+        with using_threads(available_threads() if with_all else 1):
+            yield
+        now = self._clock()
+        seconds[with_all] = now - begun
+        if not with_all:
+            self._watch(now - begun, self._own_clock() - own)
+        if len(seconds) == 2 and (is_trial or with_all):
+            self._choose(seconds, now, is_trial)
+
+    def _is_trial_due(self, seconds, now):
+        if self._uses_all not in seconds:
+            return False  # there is nothing to compare with
+        if self._uses_all and False not in seconds:
+            return True
+        return now >= self._next_trial + (_DISTURBED if self._is_disturbed else 0)
+
+    def _watch(self, wall, own):
+        self._wall, self._own = self._wall + wall, self._own + own
+        if self._wall >= _WINDOW:
+            self._is_disturbed = self._own < 0.9 * self._wall
+            self._wall = self._own = 0.0
+
+    def _choose(self, seconds, now, is_trial):
+        used_all = self._uses_all
+        self._uses_all = seconds[True] < (1 if used_all else _WORTH) * seconds[False]
+        if self._uses_all:
+            self._is_disturbed = False
+            if is_trial:
+                self._next_trial = now + _REFRESH
+        else:
+            self._pause = _SHORTEST if used_all else min(2 * self._pause, _LONGEST)
+            self._next_trial = now + self._pause

@@ -1,9 +1,8 @@
 """A picture that follows its inputs in real time."""
 
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from threading import RLock
-from time import perf_counter
 
 import numpy as np
 from numpy.typing import NDArray
@@ -226,7 +225,7 @@ class Session:
         InputError
             If there is no source or target, or no frame that a warm one can start from.
         """
-        with self._turn() as threads:
+        with self._turn():
             exemplar, target = self._needs_exemplar(), self._needs_target()
             if seed is not None:
                 check_seed(seed)
@@ -239,30 +238,29 @@ class Session:
                     parameter="warm",
                 )
             self._stop[0] = 0
-            begun = perf_counter()
             levels = self.params.levels
             top = 0 if warm else levels - 1 if self._kept is None else self._kept - 1
             nnf = [np.empty(grid, np.int32) for grid in target.grids[: top + 1]]
             nnf += self._nnf[top + 1 :]
-            for level in range(top, -1, -1):
-                with using_threads(threads_of_level(target, level)):
-                    if warm:
-                        nnf[0][:] = self._nnf[0]
-                    else:
-                        start_level(exemplar, nnf, level, self.seed)
-                    # The coarser levels of a warm frame are those of another target.
-                    known = nnf[:1] if warm else nnf
-                    refine(exemplar, target, self._refinement, known, level, self.seed, self._stop)
-                if self._stop[0]:
-                    raise FrameCancelledError("the frame was cancelled")
-            picture = self._blended(nnf[0])
-            if self._stop[0]:
-                raise FrameCancelledError("the frame was cancelled")
+            with self._threads_for((warm, top)):
+                for level in range(top, -1, -1):
+                    with using_threads(threads_of_level(target, level)):
+                        if warm:
+                            nnf[0][:] = self._nnf[0]
+                        else:
+                            start_level(exemplar, nnf, level, self.seed)
+                        # The coarser levels of a warm frame are those of another target.
+                        known = nnf[:1] if warm else nnf
+                        refine(
+                            exemplar, target, self._refinement, known, level, self.seed, self._stop
+                        )
+                    self._heed_cancel()
+                picture = self._blended(nnf[0])
+                self._heed_cancel()
             self._nnf, self._has_frame = nnf, True
             if not warm:
                 self._kept = self._refinement.first_level_of_guides_alone
                 self._seed_of_kept = self.seed
-            self._free_threads.took(threads, perf_counter() - begun)
             return picture
 
     def replay(self) -> NDArray[np.uint8]:
@@ -306,11 +304,18 @@ class Session:
             self._has_frame = True
 
     @contextmanager
-    def _turn(self) -> Iterator[int]:
+    def _turn(self) -> Iterator[None]:
         with _TURN:
-            threads = self._free_threads.number() if self._threads is None else self._threads
+            threads = self._free_threads.number if self._threads is None else self._threads
             with using_threads(threads):
-                yield threads
+                yield
+
+    def _threads_for(self, kind):
+        return self._free_threads.frame(kind) if self._threads is None else nullcontext()
+
+    def _heed_cancel(self):
+        if self._stop[0]:
+            raise FrameCancelledError("the frame was cancelled")
 
     def _blended(self, nnf):
         exemplar, target, params = self._needs_exemplar(), self._needs_target(), self.params
@@ -329,6 +334,7 @@ class Session:
     def _take(self, target, labels):
         if target is not self._target:
             self._has_frame, self._nnf = False, []
+            self._free_threads.forget()
         self._target, self._labels, self._kept = target, labels, None
         target.set_labels(labels, self._needs_exemplar().has_label)
 
