@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 
 from data_gen.manifest import DataError
-from data_gen.pieces import SCENES
+from data_gen.pieces import SCENES, USUAL
 from data_gen.produce import produce
 from data_gen.renderer import MissingRendererError
 
@@ -23,8 +23,9 @@ def main(arguments=None):
         help="pixels of every image (default 1200x912)",
     )  # fmt: skip
     parser.add_argument(
-        "--scenes", type=_scenes, default=tuple(SCENES),
-        help=f"scenes, commas between (default: {', '.join(SCENES)}); the source is always made",
+        "--scenes", type=_scenes, default=USUAL,
+        help=f"scenes, commas between, of {', '.join(SCENES)} (default: all but turning); the "
+        "source is always made",
     )  # fmt: skip
     parser.add_argument(
         "--samples", type=_count, default=64, help="samples a pixel, a square number (default 64)"

@@ -1,7 +1,8 @@
-"""Motion fields between two cameras, with what the other one does not see."""
+"""Motion fields between two views, with what the other one does not see."""
 
 import numpy as np
 
+from data_gen.models.mesh import rotation
 from data_gen.visibility import sees
 
 
@@ -11,8 +12,9 @@ def motion_field(rendered, surface, other):
     Parameters
     ----------
     rendered : mitsuba.Scene
+        What the other camera looks at.
     surface : Surface
-        What the first camera sees.
+        What the first camera sees, moved to where it is for the other one.
     other : Camera
 
     Returns
@@ -33,3 +35,25 @@ def motion_field(rendered, surface, other):
     unhidden = sees(rendered, surface.position, surface.normal, eye)
     visible = seen & inside & unhidden
     return motion[..., ::-1].astype(np.float32), visible[..., None].astype(np.float32)
+
+
+def turned_with(surface, part, degrees):
+    """A surface after a part of the scene has turned about the y axis.
+
+    Parameters
+    ----------
+    surface : Surface
+    part : int
+        Number of the part.
+    degrees : float
+
+    Returns
+    -------
+    Surface
+        Each point where the same pixel's point has gone.
+    """
+    turns, turn = (surface.part == part)[..., None], rotation(degrees).T
+    return surface._replace(
+        position=np.where(turns, surface.position @ turn, surface.position),
+        normal=np.where(turns, surface.normal @ turn, surface.normal),
+    )

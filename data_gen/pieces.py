@@ -7,13 +7,14 @@ and a method ``make``. What imports the renderer is imported where it is needed,
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import partial
+from functools import cache, partial
 
 from skimage.io import imsave
 
 from data_gen.camera import GRID, HOUSE_SOURCE, STAGE_VIEW, Camera
 from data_gen.guides import HOUSE_LIMITS, STAGE_LIMITS, Limits, guide, to_uint8
 from data_gen.models import TARGETS, sphere
+from data_gen.models.mesh import turned
 from data_gen.multilayer_exr import write_layers
 from data_gen.stage import Scene, house_scene, on_stage
 
@@ -111,6 +112,60 @@ class Motion:
             write_layers(folder / f"{name}.exr", layers)
 
 
+@dataclass(frozen=True)
+class MotionOfTurn:
+    """Motion fields between neighbouring frames of an object that turns, both ways.
+
+    Attributes
+    ----------
+    name : str
+    scenes : tuple of callable
+        Each builds the scene of a frame.
+    degrees : float
+        By which the object turns from a frame to the next.
+    """
+
+    name: str
+    scenes: tuple[Callable[[], Scene], ...]
+    degrees: float
+
+    def make(self, folder, rendering, exr):
+        """Render and write; nothing but layers, which are kept whatever ``exr`` says."""
+        scenes = (scene() for scene in self.scenes)
+        for name, layers in rendering.motion_of_turn(scenes, STAGE_VIEW, self.degrees):
+            write_layers(folder / f"{name}.exr", layers)
+
+
+def turning(name, model, frames, degrees=1.0):
+    """The pieces of a model that turns on the stage: a view for each frame, and the motion.
+
+    Parameters
+    ----------
+    name : str
+        Of the scene.
+    model : callable
+        Builds the mesh of the first frame.
+    frames : int
+    degrees : float
+        From a frame to the next; the front turns towards the right.
+
+    Returns
+    -------
+    tuple of View and MotionOfTurn
+    """
+    still = cache(model)  # a sculpture takes longer to build than to turn
+    scenes = tuple(partial(_turned_on_stage, still, degrees * frame) for frame in range(frames))
+    views = (
+        View(f"{name}/{frame:02}", scene, STAGE_VIEW, STAGE_LIMITS)
+        for frame, scene in enumerate(scenes)
+    )
+    return *views, MotionOfTurn(f"{name}/motion", scenes, degrees)
+
+
+def _turned_on_stage(model, degrees):
+    return on_stage(turned(model(), degrees))
+
+
 def _on_stage(name, model):
     return View(name, lambda: on_stage(model()), STAGE_VIEW, STAGE_LIMITS)
 
@@ -120,7 +175,7 @@ _house_view = partial(View, scene=house_scene, limits=HOUSE_LIMITS)
 SOURCE = Paintings(_on_stage("source", sphere))
 """Belongs to every data set."""
 
-SCENES = {name: (_on_stage(name, model),) for name, model in TARGETS.items()} | {
+_STILL = {name: (_on_stage(name, model),) for name, model in TARGETS.items()} | {
     "house": (
         _house_view("house/source", camera=HOUSE_SOURCE),
         *(
@@ -130,4 +185,9 @@ SCENES = {name: (_on_stage(name, model),) for name, model in TARGETS.items()} | 
         Motion("house/motion", house_scene, GRID),
     )
 }
+
+SCENES = _STILL | {"turning": turning("turning", TARGETS["golem"], frames=60)}
 """The pieces of every scene, by its name."""
+
+USUAL = tuple(_STILL)
+"""The scenes that are rendered if none are named: ``turning`` takes longer than all others."""

@@ -9,6 +9,8 @@ Layout of the folder::
     house/source/passes.exr  house/source/FULL.png  ...
     house/1_1/passes.exr  house/1_1/FULL.png  ...   row and column of the view
     house/motion/1_1_to_1_2.exr                     MOTION.X, MOTION.Y, VISIBLE.Y
+    turning/00/passes.exr  turning/00/FULL.png  ...  frame
+    turning/motion/00_to_01.exr  turning/motion/01_to_00.exr
 """
 
 import shutil
@@ -18,11 +20,11 @@ from pathlib import Path
 from tqdm import tqdm
 
 from data_gen.manifest import Manifest, recipe
-from data_gen.pieces import SCENES, SOURCE
+from data_gen.pieces import SCENES, SOURCE, USUAL
 from data_gen.renderer import start
 
 
-def produce(folder, size, scenes=tuple(SCENES), samples=64, seed=0, exr=True):
+def produce(folder, size, scenes=USUAL, samples=64, seed=0, exr=True):
     """Render and paint the missing pieces.
 
     Parameters

@@ -7,7 +7,7 @@ import numpy as np
 from data_gen.features import features, trace
 from data_gen.light_paths import LAYERS
 from data_gen.load import load
-from data_gen.motion import motion_field
+from data_gen.motion import motion_field, turned_with
 
 
 class Rendering:
@@ -73,6 +73,39 @@ class Rendering:
                     motion, visible = motion_field(loaded, surface, grid[other])
                     name = "{}_{}_to_{}_{}".format(row, column, *other)
                     yield name, {"MOTION": motion, "VISIBLE": visible}
+
+    def motion_of_turn(self, scenes, camera, degrees):
+        """Motion fields between neighbouring frames of an object that turns, both ways.
+
+        Parameters
+        ----------
+        scenes : iterable of Scene
+            A frame each; the object is the first part.
+        camera : Camera
+        degrees : float
+            By which the object turns from a frame to the next.
+
+        Yields
+        ------
+        str, dict of str to (H, W, n) float32
+            ``00_to_01`` and its layers.
+        """
+        frames = enumerate(scenes)
+        last, loaded, surface = self._traced(next(frames), camera)
+        for frame in frames:
+            number, after, surface_after = self._traced(frame, camera)
+            for name, target, seen, turn in (
+                (f"{last:02}_to_{number:02}", after, surface, degrees),
+                (f"{number:02}_to_{last:02}", loaded, surface_after, -degrees),
+            ):
+                motion, visible = motion_field(target, turned_with(seen, 0, turn), camera)
+                yield name, {"MOTION": motion, "VISIBLE": visible}
+            last, loaded, surface = number, after, surface_after
+
+    def _traced(self, frame, camera):
+        number, scene = frame
+        loaded = self._load(scene, camera)
+        return number, loaded, trace(loaded, scene, camera, self.height, self.width)
 
     def _load(self, scene, camera):
         integrator = {"type": "light_paths"}

@@ -1,7 +1,7 @@
 """Read scenes from a folder or a data set: a style, its guides, and the guides of a target."""
 
 import hashlib
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 
@@ -32,6 +32,8 @@ class Scene:
         Every ``step``-th pixel of the files was kept.
     ids : tuple of 2 arrays, optional
         Object ids of source and target, a colour for each object; they are no guides.
+    buffers : dict of str to tuple of 2 arrays
+        Passes of source and target that a method may read beside the guides, such as NORMAL.
     """
 
     name: str
@@ -42,6 +44,7 @@ class Scene:
     target_guides: tuple[np.ndarray, ...]
     step: int
     ids: tuple[np.ndarray, np.ndarray] | None = None
+    buffers: dict[str, tuple[np.ndarray, np.ndarray]] = field(default_factory=dict)
 
     @property
     def size(self):
@@ -65,7 +68,8 @@ class Scene:
     @cached_property
     def digest(self):
         """Identifies the images that methods see."""
-        return _digest((self.style, *self.source_guides, *self.target_guides))
+        buffers = (image for name in sorted(self.buffers) for image in self.buffers[name])
+        return _digest((self.style, *self.source_guides, *self.target_guides, *buffers))
 
     @cached_property
     def digest_of_ids(self):
@@ -81,7 +85,7 @@ def _digest(images):
     return digest.hexdigest()
 
 
-def load_scene(name, data=BUNDLED, step=1):
+def load_scene(name, data=BUNDLED, step=1, buffers=()):
     """Read a scene.
 
     Parameters
@@ -94,6 +98,8 @@ def load_scene(name, data=BUNDLED, step=1):
         Folder of the data set.
     step : int
         Keep every ``step``-th pixel on each axis.
+    buffers : sequence of str
+        Passes of the data set to read beside the guides.
 
     Returns
     -------
@@ -108,14 +114,19 @@ def load_scene(name, data=BUNDLED, step=1):
         raise InputError(f"--step is {step}; it must be 1 or more")
     folder = Path(name)
     if folder.is_dir():
+        if buffers:
+            raise InputError(
+                f"{folder}: has guides alone; name a TARGET/STYLE of a data set, which has "
+                f"{', '.join(buffers)}"
+            )
         return _from_folder(folder, step)
     try:
-        return _from_data_set(str(name), Manifest.read(data), step)
+        return _from_data_set(str(name), Manifest.read(data), step, buffers)
     except DataError as error:
         raise InputError(str(error)) from None
 
 
-def _from_data_set(name, manifest, step):
+def _from_data_set(name, manifest, step, buffers):
     targets, styles = manifest.targets, manifest.styles
     target, _, style = name.rpartition("/")
     if target not in targets or style not in styles:
@@ -129,8 +140,16 @@ def _from_data_set(name, manifest, step):
     )
     style_image = _read(manifest.path(f"source/styles/{style}.png"), step)
     name = f"{target.replace('/', '_')}_{style}"
-    ids = tuple(_read(manifest.path(f"{place}/IDMASK.png"), step) for place in ("source", target))
-    return Scene(name, manifest.folder, LIGHT_PASSES, style_image, sources, guides, step, ids)
+    passes = {
+        wanted: tuple(
+            _read(manifest.path(f"{place}/{wanted}.png"), step) for place in ("source", target)
+        )
+        for wanted in dict.fromkeys(("IDMASK", *buffers))
+    }
+    return Scene(
+        name, manifest.folder, LIGHT_PASSES, style_image, sources, guides, step,
+        ids=passes["IDMASK"], buffers={wanted: passes[wanted] for wanted in buffers},
+    )  # fmt: skip
 
 
 def _from_folder(folder, step):

@@ -92,10 +92,15 @@ def backdrop(corners):
 
 def turned(mesh, degrees):
     """A smooth mesh turned about the y axis, its front towards the right."""
+    turn = rotation(degrees).T
+    return mesh._replace(vertices=mesh.vertices @ turn, normals=mesh.normals @ turn)
+
+
+def rotation(degrees):
+    """The matrix (3, 3) float32 that turns points about the y axis, the front to the right."""
     angle = np.radians(degrees)
     cosine, sine = np.cos(angle), np.sin(angle)
-    rotation = np.array([[cosine, 0, sine], [0, 1, 0], [-sine, 0, cosine]], np.float32)
-    return mesh._replace(vertices=mesh.vertices @ rotation.T, normals=mesh.normals @ rotation.T)
+    return np.array([[cosine, 0, sine], [0, 1, 0], [-sine, 0, cosine]], np.float32)
 
 
 def standing(mesh, height=None, width=None):

@@ -36,8 +36,6 @@ def measure(scene, outcome):
 def nearest_patch(image, other):
     """Mean RMS difference from patches of an image to the nearest patch of another.
 
-    Candidates are the three nearest by the other's principal components.
-
     Parameters
     ----------
     image, other : (H, W, c) uint8
@@ -48,7 +46,25 @@ def nearest_patch(image, other):
         In 8-bit steps.
     """
     rng = np.random.default_rng(1)
-    wanted, cloud = _patches(image, SAMPLES, rng), _patches(other, LARGEST_CLOUD, rng)
+    return distance_to_nearest(*(
+        some_of(patches(each), most, rng)
+        for each, most in ((image, SAMPLES), (other, LARGEST_CLOUD))
+    ))  # fmt: skip
+
+
+def distance_to_nearest(wanted, cloud):
+    """Mean RMS difference from patches to the nearest of a cloud of patches.
+
+    Candidates are the three nearest by the cloud's principal components.
+
+    Parameters
+    ----------
+    wanted, cloud : (N, n) float
+
+    Returns
+    -------
+    float
+    """
     mean = cloud.mean(axis=0)
     axes = np.linalg.eigh(np.cov(cloud, rowvar=False))[1][:, -COMPONENTS:]
     _, nearest = cKDTree((cloud - mean) @ axes).query((wanted - mean) @ axes, k=3)
@@ -56,9 +72,14 @@ def nearest_patch(image, other):
     return float(np.sqrt(squares.min(axis=1)).mean())
 
 
-def _patches(image, most, rng):
+def patches(image):
+    """All 7x7 patches of an image, (N, 49 c), in the order of their middles."""
     windows = view_as_windows(image, (WIDTH, WIDTH, image.shape[2]))
-    windows = windows.reshape(-1, WIDTH**2 * image.shape[2])
+    return windows.reshape(-1, WIDTH**2 * image.shape[2])
+
+
+def some_of(windows, most, rng):
+    """At most so many rows, drawn at random, as float."""
     if len(windows) > most:
         windows = windows[rng.choice(len(windows), most, replace=False)]
     return windows.astype(float)

@@ -19,11 +19,13 @@ from data_gen.light_paths import LONGEST_PATH, PASSES
 from data_gen.load import load
 from data_gen.manifest import Manifest
 from data_gen.models import sphere
-from data_gen.models.mesh import polygons
+from data_gen.models.mesh import polygons, rotation
 from data_gen.models.teapot import teapot
 from data_gen.motion import motion_field
-from data_gen.pieces import View
+from data_gen.multilayer_exr import read_layers
+from data_gen.pieces import View, turning
 from data_gen.produce import produce
+from data_gen.rendering import Rendering
 from data_gen.stage import Material, house_scene, on_stage
 from data_gen.visibility import sees
 from data_gen.wireframe import wireframe
@@ -248,3 +250,39 @@ def test_an_interrupted_piece_leaves_the_finished_ones(tmp_path, monkeypatch):
     assert sorted(file.name for file in (tmp_path / "a").iterdir()) == [
         "manifest.json", "source", "teapot",
     ]  # fmt: skip
+
+
+def turned_teapot(folder, degrees):
+    """What two frames see of a teapot that turns, and the motion fields between them."""
+    size = WIDTH * 3, HEIGHT * 3
+    *_, motion = turning("turning", lambda: teapot(steps=12), frames=2, degrees=degrees)
+    motion.make(folder, Rendering(size, 1, 0), exr=False)
+    surfaces = []
+    for scene in (build() for build in motion.scenes):
+        loaded = load(scene, STAGE_VIEW, *size[::-1], 1, {"type": "path"})
+        surfaces.append(trace(loaded, scene, STAGE_VIEW, *size[::-1]))
+    return *surfaces, read_layers(folder / "00_to_01.exr"), read_layers(folder / "01_to_00.exr")
+
+
+def test_motion_of_a_turn_leads_to_the_same_point_of_the_object(tmp_path):
+    here, there, forward, _ = turned_teapot(tmp_path, 5.0)
+    y, x = np.mgrid[: HEIGHT * 3, : WIDTH * 3]
+    place = [y + forward["MOTION"][..., 1], x + forward["MOTION"][..., 0]]
+    on_object = here.part == 0
+    same = forward["VISIBLE"][..., 0] > 0
+    same &= map_coordinates(there.part.astype(float), place, order=1, cval=-9) == 0
+    found = [map_coordinates(there.position[..., c], place, order=1) for c in range(3)]
+    back = np.stack(found, axis=-1) @ rotation(-5.0).T
+    assert same[on_object].mean() > 0.8
+    distance = np.linalg.norm(back - here.position, axis=-1)[same & on_object]
+    assert np.quantile(distance, 0.95) < 0.01
+    assert np.abs(forward["MOTION"][on_object]).max() > 3
+    assert np.abs(forward["MOTION"][~on_object]).max() < 1e-3
+
+
+def test_ground_is_hidden_by_where_the_object_is_in_the_other_frame(tmp_path):
+    first, second, forward, backward = turned_teapot(tmp_path, 20.0)
+    for layers, here, there in ((forward, first, second), (backward, second, first)):
+        ground = here.part == 1
+        assert ((layers["VISIBLE"][ground][:, 0] > 0) == (there.part[ground] == 1)).mean() > 0.99
+        assert (there.part[ground] == 0).any()

@@ -55,3 +55,17 @@ def test_a_damaged_data_set_is_refused(tmp_path):
     with pytest.raises(InputError, match=r"LDE\.png: differs from manifest\.json"):
         load_scene("golem/oil", data)
     assert load_scene("teapot/oil", data).size == "300x228"
+
+
+def test_buffers_are_read_where_they_are_named_and_count_for_the_digest():
+    plain = load_scene("golem/oil", step=6)
+    named = load_scene("golem/oil", step=6, buffers=("NORMAL", "FRESNEL"))
+    assert plain.buffers == {}
+    assert list(named.buffers) == ["NORMAL", "FRESNEL"]
+    assert [image.shape for image in named.buffers["FRESNEL"]] == [(38, 50, 1)] * 2
+    assert named.digest != plain.digest
+
+
+def test_a_folder_has_no_buffers(folder):
+    with pytest.raises(InputError, match=r"has guides alone; name a TARGET/STYLE of a data set"):
+        load_scene(folder, buffers=("NORMAL",))
