@@ -8,6 +8,7 @@ compile for any processor.
 """
 
 from collections.abc import Callable
+from typing import Any
 
 from llvmlite import ir
 from numba import types
@@ -51,18 +52,18 @@ def make_patch_ssd(rows: int, length: int) -> Callable[..., int]:
         signature = types.int32(a, types.int64, types.int64, patch, types.int64, weights)
 
         def codegen(context, builder, signature, args):
-            row_a = builder.gep(_data(context, builder, signature, args, 0), [args[1]])
-            row_b = builder.gep(_data(context, builder, signature, args, 3), [args[4]])
-            weighed = _data(context, builder, signature, args, 5)
+            row_a = builder.gep(data_of(context, builder, signature, args, 0), [args[1]])
+            row_b = builder.gep(data_of(context, builder, signature, args, 3), [args[4]])
+            weighed = data_of(context, builder, signature, args, 5)
             sums = {}
             for row in range(rows):
                 for start, count in _vectors(length):
                     wide = ir.VectorType(_I16, count)
                     difference = builder.sub(
-                        builder.zext(_load(builder, row_a, start, _I8, count), wide),
-                        _load(builder, row_b, start, _I16, count),
+                        builder.zext(load(builder, row_a, start, _I8, count), wide),
+                        load(builder, row_b, start, _I16, count),
                     )
-                    weight = _load(builder, weighed, start, _I16, count)
+                    weight = load(builder, weighed, start, _I16, count)
                     pairs = _pair_sums(builder, difference, builder.mul(difference, weight))
                     sums[count] = builder.add(sums[count], pairs) if count in sums else pairs
                 if row + 1 < rows:
@@ -101,19 +102,19 @@ def make_widen(rows: int, pixels: int, lanes: int) -> Callable[..., None]:
         )
 
         def codegen(context, builder, signature, args):
-            target = _data(context, builder, signature, args, 0)
-            guide = builder.gep(_data(context, builder, signature, args, 1), [args[2]])
-            colour = builder.gep(_data(context, builder, signature, args, 4), [args[5]])
+            target = data_of(context, builder, signature, args, 0)
+            guide = builder.gep(data_of(context, builder, signature, args, 1), [args[2]])
+            colour = builder.gep(data_of(context, builder, signature, args, 4), [args[5]])
             for row in range(rows):
                 if lanes == STYLE_LANES:
                     for start, count in _vectors(length):
-                        bytes_of = _load(builder, colour, start, _I8, count)
+                        bytes_of = load(builder, colour, start, _I8, count)
                         _store_wide(builder, target, row * length + start, bytes_of)
                 else:
                     for pixel in range(0, pixels, together):
                         count = min(together, pixels - pixel)
-                        own = _load(builder, guide, pixel * lanes, _I8, count * lanes)
-                        painted = _load(
+                        own = load(builder, guide, pixel * lanes, _I8, count * lanes)
+                        painted = load(
                             builder, colour, pixel * STYLE_LANES, _I8, count * STYLE_LANES
                         )
                         merged = _beside(builder, own, painted, count, lanes)
@@ -171,20 +172,20 @@ def make_blend_cell(left: tuple[bool, ...], right: tuple[bool, ...], channels: i
         )
 
         def codegen(context, builder, signature, args):
-            pixels_of = _data(context, builder, signature, args, 2)
+            pixels_of = data_of(context, builder, signature, args, 2)
             wide = ir.VectorType(_I16, count)
             total = ir.Constant(wide, [2] * count)
             for one, two in ((args[3], args[4]), (args[5], args[6])):
-                one = _load(builder, builder.gep(pixels_of, [one]), 0, _I8, count)
-                two = _load(builder, builder.gep(pixels_of, [two]), 0, _I8, count)
+                one = load(builder, builder.gep(pixels_of, [one]), 0, _I8, count)
+                two = load(builder, builder.gep(pixels_of, [two]), 0, _I8, count)
                 for pick in (pick_left, pick_right):
-                    taken = _shuffle(builder, one, two, pick)
+                    taken = shuffled(builder, one, two, pick)
                     total = builder.add(total, builder.zext(taken, wide))
             mean = builder.lshr(total, ir.Constant(wide, [2] * count))
             mean = builder.trunc(mean, ir.VectorType(_I8, count))
             if channels < STYLE_LANES:
-                mean = _shuffle(builder, mean, mean, kept)
-            target = builder.gep(_data(context, builder, signature, args, 0), [args[1]])
+                mean = shuffled(builder, mean, mean, kept)
+            target = builder.gep(data_of(context, builder, signature, args, 0), [args[1]])
             stored = builder.store(mean, builder.bitcast(target, mean.type.as_pointer()))
             stored.align = 1
             return context.get_dummy_value()
@@ -209,11 +210,13 @@ def _vectors(length):
     return [(start, min(32, length - start)) for start in starts]
 
 
-def _data(context, builder, signature, args, index):
+def data_of(context: Any, builder: Any, signature: Any, args: Any, index: int) -> Any:
+    """The address of an array argument's elements."""
     return context.make_array(signature.args[index])(context, builder, args[index]).data
 
 
-def _load(builder, pointer, offset, element, count):
+def load(builder: Any, pointer: Any, offset: int, element: Any, count: int) -> Any:
+    """A vector from ``offset`` elements on, wherever it lies."""
     pointer = builder.gep(pointer, [_I64(offset)])
     value = builder.load(builder.bitcast(pointer, ir.VectorType(element, count).as_pointer()))
     value.align = 1
@@ -224,14 +227,14 @@ def _beside(builder, guides, style, count, lanes):
     """Pixels whose last four bytes are replaced by the style's."""
     size = count * lanes
     painted = range(count * STYLE_LANES)
-    spread = _shuffle(builder, style, style, [*painted, *[0] * (size - len(painted))])
+    spread = shuffled(builder, style, style, [*painted, *[0] * (size - len(painted))])
     picked = [
         size + lane // lanes * STYLE_LANES + lane % lanes - (lanes - STYLE_LANES)
         if lane % lanes >= lanes - STYLE_LANES
         else lane
         for lane in range(size)
     ]
-    return _shuffle(builder, guides, spread, picked)
+    return shuffled(builder, guides, spread, picked)
 
 
 def _store_wide(builder, pointer, offset, vector):
@@ -240,7 +243,8 @@ def _store_wide(builder, pointer, offset, vector):
     builder.store(wide, pointer).align = 2
 
 
-def _shuffle(builder, a, b, lanes):
+def shuffled(builder: Any, a: Any, b: Any, lanes: list[int]) -> Any:
+    """The elements of two vectors that have these numbers."""
     return builder.shuffle_vector(a, b, ir.Constant(ir.VectorType(_I32, len(lanes)), lanes))
 
 
@@ -251,7 +255,7 @@ def _sum_all(builder, sums):
     pairs = sums.get(16)
     if 32 in sums:
         halves = (list(range(first, first + 8)) for first in (0, 8))
-        low, high = (_shuffle(builder, sums[32], sums[32], half) for half in halves)
+        low, high = (shuffled(builder, sums[32], sums[32], half) for half in halves)
         folded = builder.add(low, high)
         pairs = folded if pairs is None else builder.add(pairs, folded)
     reduce_add = cgutils.get_or_insert_function(
@@ -268,5 +272,5 @@ def _pair_sums(builder, a, b):
     undefined = ir.Constant(wide, ir.Undefined)
     even, odd = (list(range(first, count, 2)) for first in (0, 1))
     return builder.add(
-        _shuffle(builder, product, undefined, even), _shuffle(builder, product, undefined, odd)
+        shuffled(builder, product, undefined, even), shuffled(builder, product, undefined, odd)
     )

@@ -64,12 +64,12 @@ class Exemplar:
     def set_guides(self, guides: NDArray[np.uint8]) -> None:
         """A, (height, width, channels)."""
         passes, lanes = self.layout.passes, self.layout.lanes
-        passes.make_fill(self.layout.channels, lanes)(guides, self.both[0])
+        passes.make_fill(self.layout.channels, lanes)(guides.reshape(-1), self.both[0])
         self._halve(self.both, lanes)
 
     def set_style(self, style: NDArray[np.uint8]) -> None:
         """A', (height, width, 3)."""
-        self.layout.passes.make_fill(3, STYLE_LANES)(style, self.style[0])
+        self.layout.passes.make_fill(3, STYLE_LANES)(style.reshape(-1), self.style[0])
         self._halve(self.style, STYLE_LANES)
 
     def join(self) -> None:

@@ -80,7 +80,7 @@ class RealtimeParams:
         "sums", Choice(TERMS), "how channels count: as sums, or as the mean of each term"
     )
     iterations: tuple[int, ...] = parameter(
-        (1, 2, 4, 8), Several(Integer(0, 1000), "iterations of level"),
+        (1, 3, 4, 8), Several(Integer(0, 1000), "iterations of level"),
         "iterations by level, finest first",
     )  # fmt: skip
     radii: tuple[int, ...] = parameter(
@@ -163,7 +163,7 @@ _THESIS = {
 REALTIME_PRESETS: dict[str, dict[str, Any]] = {
     "best": {},
     "quick": {
-        "mu": (16, 4, 4, 4, 0), "iterations": (1, 1, 2, 4, 8), "radii": (1, 4, 16, EVERYWHERE),
+        "mu": (16, 4, 4, 4, 0), "iterations": (1, 2, 2, 4, 8), "radii": (0, 4, 16, EVERYWHERE),
     },
     "simple": _THESIS,
     "optimized": {**_THESIS, "scale_space": True},

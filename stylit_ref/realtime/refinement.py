@@ -59,6 +59,15 @@ class Refinement:
         return max(level, 1)
 
 
+_FEW_ENTRIES = 1000
+
+
+def threads_of_level(target: Target, level: int) -> int | None:
+    """1 where a grid has so few entries that waking other threads takes longer; None otherwise."""
+    rows, columns = target.grids[level]
+    return 1 if rows * columns < _FEW_ENTRIES else None
+
+
 def start_level(exemplar: Exemplar, nnf: list[NDArray[np.int32]], level: int, seed: int) -> None:
     """Fill the NNF of a level: from the level above, or at random on the coarsest."""
     layout = exemplar.layout

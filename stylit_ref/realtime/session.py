@@ -26,7 +26,7 @@ from stylit_ref.realtime.formulae.grid import first_centre, last_centre
 from stylit_ref.realtime.layout import Layout
 from stylit_ref.realtime.params import RealtimeParams, as_realtime_params
 from stylit_ref.realtime.passes.image import Image
-from stylit_ref.realtime.refinement import Refinement, refine, start_level
+from stylit_ref.realtime.refinement import Refinement, refine, start_level, threads_of_level
 from stylit_ref.realtime.target import Target
 
 _TURN = RLock()
@@ -79,7 +79,8 @@ class Session:
         self._target: Target | None = None
         self._nnf: list[NDArray[np.int32]] = []
         self._labels: NDArray[np.uint8] | None = None
-        self._kept: int | None = None
+        self._kept: int | None = None  # the first level whose NNF a stroke leaves as it is
+        self._seed_of_kept = seed
         self._has_frame = False
 
     def set_exemplar(
@@ -226,9 +227,11 @@ class Session:
         """
         with self._turn() as threads:
             exemplar, target = self._needs_exemplar(), self._needs_target()
-            if seed is not None and seed != self.seed:
+            if seed is not None:
                 check_seed(seed)
-                self.seed, self._kept = seed, None
+                self.seed = seed
+            if self.seed != self._seed_of_kept:
+                self._kept = None
             if warm and not self._has_frame:
                 raise InputError(
                     "is true, but there is no frame to start from; begin with a cold one",
@@ -241,11 +244,12 @@ class Session:
             nnf = [np.empty(grid, np.int32) for grid in target.grids[: top + 1]]
             nnf += self._nnf[top + 1 :]
             for level in range(top, -1, -1):
-                if warm:
-                    nnf[0][:] = self._nnf[0]
-                else:
-                    start_level(exemplar, nnf, level, self.seed)
-                refine(exemplar, target, self._refinement, nnf, level, self.seed, self._stop)
+                with using_threads(threads_of_level(target, level)):
+                    if warm:
+                        nnf[0][:] = self._nnf[0]
+                    else:
+                        start_level(exemplar, nnf, level, self.seed)
+                    refine(exemplar, target, self._refinement, nnf, level, self.seed, self._stop)
                 if self._stop[0]:
                     raise FrameCancelledError("the frame was cancelled")
             picture = self._blended(nnf[0])
@@ -254,6 +258,7 @@ class Session:
             self._nnf, self._has_frame = nnf, True
             if not warm:
                 self._kept = self._refinement.first_level_of_guides_alone
+                self._seed_of_kept = self.seed
             self._free_threads.took(threads, perf_counter() - begun)
             return picture
 
@@ -319,7 +324,7 @@ class Session:
         return Target(*size, layout)
 
     def _take(self, target, labels):
-        if target is not self._target or [each.shape for each in self._nnf] != target.grids:
+        if target is not self._target:
             self._has_frame, self._nnf = False, []
         self._target, self._labels, self._kept = target, labels, None
         target.set_labels(labels, self._needs_exemplar().has_label)
@@ -337,7 +342,10 @@ class Session:
                 "are given for the target alone; give them for the source too, or for neither",
                 parameter=parameter,
             )
-        unknown = np.setdiff1d(target, source)
+        known, found = np.zeros((2, 256), np.bool_)
+        self._passes.mark_labels(source, known)
+        self._passes.mark_labels(target, found)
+        unknown = np.flatnonzero(found & ~known)
         if unknown.size:
             raise InputError(
                 f"have {unknown[0]} in the target, but not in the source; add a pixel of it to the "

@@ -3,10 +3,14 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from stylit_ref.machine.thread_count import using_threads
 from stylit_ref.machine.vector_patch import STYLE_LANES
 from stylit_ref.realtime.formulae.grid import grid_size
 from stylit_ref.realtime.layout import Layout
 from stylit_ref.realtime.passes.image import Image, interior, make_image
+
+_FEW_PIXELS = 16384
+"""An image of fewer is made by one thread, as waking others takes longer."""
 
 
 class Target:
@@ -66,7 +70,7 @@ class Target:
     def set_guides(self, guides: NDArray[np.uint8]) -> None:
         """B, (height, width, channels)."""
         layout = self.layout
-        layout.passes.make_fill(layout.channels, layout.lanes)(guides, self.guides[0])
+        layout.passes.make_fill(layout.channels, layout.lanes)(guides.reshape(-1), self.guides[0])
         self._follow()
 
     def view_changed(self) -> None:
@@ -82,7 +86,9 @@ class Target:
         if params.scale_space and params.means == "mip" and needed:
             last += params.depth - 1
         for level in range(last):
-            passes.make_halve(lanes)(self.guides[level], self.guides[level + 1])
+            coarse = self.guides[level + 1]
+            with using_threads(1 if coarse.height * coarse.width < _FEW_PIXELS else None):
+                passes.make_halve(lanes)(self.guides[level], coarse)
         if params.scale_space:
             for level in needed:
                 records = self.guide_records[level]

@@ -3,7 +3,12 @@
 from stylit_ref.realtime.passes.blend import make_blend
 from stylit_ref.realtime.passes.border import make_extend
 from stylit_ref.realtime.passes.fill import make_fill
-from stylit_ref.realtime.passes.pyramid import decimate_labels, free_lost_labels, make_halve
+from stylit_ref.realtime.passes.pyramid import (
+    decimate_labels,
+    free_lost_labels,
+    make_halve,
+    mark_labels,
+)
 from stylit_ref.realtime.passes.records import make_box_records, make_mip_records
 from stylit_ref.realtime.passes.search import make_search
 from stylit_ref.realtime.passes.style_lanes import make_insert_style
@@ -20,6 +25,7 @@ __all__ = [
     "make_insert_style",
     "make_mip_records",
     "make_search",
+    "mark_labels",
     "random_nnf",
     "upsample_nnf",
     "upsample_picture",

@@ -7,42 +7,37 @@ import numpy as np
 from numba import prange
 from numpy.typing import NDArray
 
-from stylit_ref.machine.inlined import inlined
 from stylit_ref.machine.kernel import kernel
-from stylit_ref.realtime.formulae.average import mean_of_four
+from stylit_ref.machine.vector_pixel import make_halve_pixels, pixels_at_once
 from stylit_ref.realtime.passes.border import extend_row
 from stylit_ref.realtime.passes.image import Image
-
-
-@inlined
-def _halve_row(upper, lower, out, width, lanes):
-    for x in range(np.uint64(width)):
-        for c in range(np.uint64(lanes)):
-            left = np.uint64(2 * lanes) * x + c
-            right = left + np.uint64(lanes)
-            out[np.uint64(lanes) * x + c] = mean_of_four(
-                upper[left], upper[right], lower[left], lower[right]
-            )
 
 
 @cache
 def make_halve(lanes: int) -> Callable[..., None]:
     """Build ``halve(fine, coarse)`` for pixels of so many bytes; the border is filled too."""
+    halve_pixels, at_once = make_halve_pixels(lanes), pixels_at_once(lanes)
 
     @kernel(lanes, nogil=True)
     def halve(fine: Image, coarse: Image) -> None:
         for index in prange(coarse.height):
             y = np.int64(index)
-            row = ((2 * y + fine.border) * fine.stride + fine.border) * lanes
-            upper = fine.values[row : row + 2 * coarse.width * lanes]
-            row += fine.stride * lanes
-            lower = fine.values[row : row + 2 * coarse.width * lanes]
-            row = ((y + coarse.border) * coarse.stride + coarse.border) * lanes
-            out = coarse.values[row : row + coarse.width * lanes]
-            _halve_row(upper, lower, out, coarse.width, lanes)
+            upper = ((2 * y + fine.border) * fine.stride + fine.border) * lanes
+            lower = upper + fine.stride * lanes
+            start = ((y + coarse.border) * coarse.stride + coarse.border) * lanes
+            for x in range(0, coarse.width * lanes, at_once * lanes):
+                halve_pixels(coarse.values, start + x, fine.values, upper + 2 * x, lower + 2 * x)
             extend_row(coarse, y, lanes)
 
     return halve
+
+
+@kernel(nogil=True)
+def mark_labels(labels: NDArray[np.uint8], is_there: NDArray[np.bool_]) -> None:
+    """Mark in (256,) ``is_there`` which labels there are."""
+    for y in prange(labels.shape[0]):
+        for x in range(np.uint64(labels.shape[1])):
+            is_there[labels[y, x]] = True
 
 
 @kernel(nogil=True)

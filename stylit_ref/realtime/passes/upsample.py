@@ -4,11 +4,10 @@ import numpy as np
 from numba import prange
 from numpy.typing import NDArray
 
-from stylit_ref.machine.inlined import inlined
 from stylit_ref.machine.kernel import kernel
 from stylit_ref.machine.vector_patch import STYLE_LANES
+from stylit_ref.machine.vector_pixel import make_double_pixel
 from stylit_ref.randomness.random_stream import random_words
-from stylit_ref.realtime.formulae.average import bilinear
 from stylit_ref.realtime.formulae.grid import first_centre, last_centre
 from stylit_ref.realtime.formulae.packed_nnf import column_of, packed, row_of
 from stylit_ref.realtime.formulae.random_candidate import random_column, random_row
@@ -63,15 +62,7 @@ def upsample_nnf(
             )
 
 
-@inlined
-def _upsample_row(near, far, out, width):
-    lanes = STYLE_LANES
-    for x in range(width):
-        x0 = x // 2
-        x1 = x0 + 1 if x % 2 else x0 - 1
-        for c in range(lanes):
-            i, j = (x0 + 1) * lanes + c, (x1 + 1) * lanes + c
-            out[x * lanes + c] = bilinear(near[i], near[j], far[i], far[j])
+_double_pixel = make_double_pixel(STYLE_LANES)
 
 
 @kernel(nogil=True)
@@ -82,11 +73,9 @@ def upsample_picture(coarse: Image, out: Image) -> None:
         y = np.int64(row)
         y0 = y // 2
         y1 = y0 + 1 if y % 2 else y0 - 1
-        read = (coarse.width + 2) * lanes  # a pixel of the border on each side
-        start = ((y0 + coarse.border) * coarse.stride + coarse.border - 1) * lanes
-        near = coarse.values[start : start + read]
-        start = ((y1 + coarse.border) * coarse.stride + coarse.border - 1) * lanes
-        far = coarse.values[start : start + read]
+        near = ((y0 + coarse.border) * coarse.stride + coarse.border) * lanes
+        far = ((y1 + coarse.border) * coarse.stride + coarse.border) * lanes
         start = ((y + out.border) * out.stride + out.border) * lanes
-        _upsample_row(near, far, out.values[start : start + out.width * lanes], out.width)
+        for x in range(0, coarse.width * lanes, lanes):
+            _double_pixel(out.values, start + 2 * x, coarse.values, near + x, far + x)
         extend_row(out, y, lanes)
