@@ -60,8 +60,6 @@ class RealtimeParams:
         Leave out the guides where μ = 1 (equation 22).
     labels : bool
         Whether a patch must have the label of the entry that it is for, where labels are given.
-    dense_finish : bool
-        At last let each pixel take the best of its entries' patches, and average all that cover it.
     packing : {"packed", "all", "pca"}
         How buffers become guides: the thesis' channels (figure 16), all of them, or principal
         components.
@@ -95,7 +93,6 @@ class RealtimeParams:
     means: str = parameter("mip", Choice(MEANS), "scales: texels of coarser levels, or boxes")
     unread_terms: bool = parameter(True, Flag(), "do not read guides that have no weight")
     labels: bool = parameter(True, Flag(), "match only pixels of the same label")
-    dense_finish: bool = parameter(False, Flag(), "end with a match for every pixel")
     packing: str = parameter("packed", Choice(PACKINGS), "how buffers become guides")
 
     def __post_init__(self) -> None:
