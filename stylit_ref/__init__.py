@@ -5,6 +5,10 @@
 and texture synthesis by patches:
 
 >>> from stylit_ref import TextureParams, synthesize_texture
+
+and stylization in real time:
+
+>>> from stylit_ref import RealtimeSession, StagePacking
 """
 
 from importlib import import_module
@@ -18,6 +22,11 @@ if TYPE_CHECKING:
     from stylit_ref.files.guides.read_guides import Guides, read_guides
     from stylit_ref.files.nnf_file import read_nnf, write_nnf
     from stylit_ref.files.read_image import read_image, read_uint8
+    from stylit_ref.files.realtime_field import (
+        RealtimeField,
+        read_any_field,
+        write_realtime_field,
+    )
     from stylit_ref.files.texture_field import (
         TextureField,
         read_texture_field,
@@ -25,6 +34,13 @@ if TYPE_CHECKING:
     )
     from stylit_ref.files.write_image import write_image
     from stylit_ref.machine.profiling import Profile
+    from stylit_ref.realtime.packing.choose import choose_packing
+    from stylit_ref.realtime.packing.packed import pack
+    from stylit_ref.realtime.packing.principal import PrincipalPacking
+    from stylit_ref.realtime.packing.stage import StagePacking
+    from stylit_ref.realtime.params import REALTIME_PRESETS, RealtimeParams
+    from stylit_ref.realtime.replaying import replay_realtime
+    from stylit_ref.realtime.session import FrameCancelledError, RealtimeSession
     from stylit_ref.stylization.params import PRESETS, Params
     from stylit_ref.stylization.progress import Step
     from stylit_ref.stylization.replaying import replay
@@ -42,33 +58,44 @@ if TYPE_CHECKING:
 
 __all__ = [
     "PRESETS",
+    "REALTIME_PRESETS",
     "TEXTURE_PRESETS",
     "DraggedPatch",
     "Field",
+    "FrameCancelledError",
     "GuideEncoding",
     "Guides",
     "InputError",
     "Iteration",
     "Params",
+    "PrincipalPacking",
     "Profile",
+    "RealtimeField",
+    "RealtimeParams",
+    "RealtimeSession",
     "Result",
+    "StagePacking",
     "Step",
     "TextureField",
     "TextureParams",
     "TextureResult",
     "TextureSession",
+    "choose_packing",
     "complete_texture",
     "drag",
     "drop",
     "make_tileable",
     "overlay",
+    "pack",
     "paint",
+    "read_any_field",
     "read_guides",
     "read_image",
     "read_nnf",
     "read_texture_field",
     "read_uint8",
     "replay",
+    "replay_realtime",
     "replay_texture",
     "stylize",
     "synthesize_texture",
@@ -76,6 +103,7 @@ __all__ = [
     "warm_up",
     "write_image",
     "write_nnf",
+    "write_realtime_field",
     "write_texture_field",
 ]
 __version__ = "0.1.0"
@@ -88,9 +116,17 @@ _HOMES = {
     "files.guides.read_guides": ("Guides", "read_guides"),
     "files.nnf_file": ("read_nnf", "write_nnf"),
     "files.read_image": ("read_image", "read_uint8"),
+    "files.realtime_field": ("RealtimeField", "read_any_field", "write_realtime_field"),
     "files.texture_field": ("TextureField", "read_texture_field", "write_texture_field"),
     "files.write_image": ("write_image",),
     "machine.profiling": ("Profile",),
+    "realtime.packing.choose": ("choose_packing",),
+    "realtime.packing.packed": ("pack",),
+    "realtime.packing.principal": ("PrincipalPacking",),
+    "realtime.packing.stage": ("StagePacking",),
+    "realtime.params": ("REALTIME_PRESETS", "RealtimeParams"),
+    "realtime.replaying": ("replay_realtime",),
+    "realtime.session": ("FrameCancelledError", "RealtimeSession"),
     "stylization.params": ("PRESETS", "Params"),
     "stylization.progress": ("Step",),
     "stylization.replaying": ("replay",),

@@ -3,12 +3,13 @@
 import argparse
 import math
 from collections.abc import Sequence
+from pathlib import Path
 
 from stylit_ref.cli.parameter_options import parsed
 from stylit_ref.errors import InputError
 from stylit_ref.files.disk.paths import split_layer
 from stylit_ref.files.guides.encoding import GuideEncoding
-from stylit_ref.files.nnf_file import read_nnf
+from stylit_ref.files.realtime_field import read_any_field
 from stylit_ref.parameters import Number
 
 
@@ -22,7 +23,7 @@ def add_guide_options(group: argparse._ArgumentGroup) -> None:
     group.add_argument(
         "--guide-layers", type=_names, action=_OfGuide, default={}, metavar="LAYER[,LAYER...]",
         help="of the two files of the --guide before it take these layers, a guide each: "
-        "Combined,DiffDir,IndexOB",
+        "Combined,DiffDir,IndexOB; of two folders the images of these names",
     )  # fmt: skip
     group.add_argument(
         "--weight", type=parsed(Number(0, math.inf)), action=_OfGuide, dest="guide_weights",
@@ -55,6 +56,8 @@ def guide_files(options: argparse.Namespace) -> list[tuple[str, str]]:
         layers = options.guide_layers.get(number)
         if layers:
             files += [(_layer_of(source, layer), _layer_of(target, layer)) for layer in layers]
+        elif Path(source).is_dir():
+            raise InputError(f"{source}: is a folder; name its images with --guide-layers")
         else:
             files.append((source, target))
     return files
@@ -85,16 +88,33 @@ def guide_encoding(options: argparse.Namespace) -> str | Sequence[GuideEncoding]
             f"is {chosen}; it must be auto, none, or the .npy file of an earlier run",
             parameter="guide_encoding",
         )
-    encodings = read_nnf(chosen).guide_encodings
+    encodings = read_any_field(chosen).guide_encodings
     if not encodings:
         raise InputError(f"{chosen}: does not say how the guides of its run were encoded")
     return encodings
 
 
 def _layer_of(path, layer):
-    """``scene.exr`` and ``Combined`` are ``scene.exr:Combined``; a view layer may stand between."""
+    """``scene.exr`` and ``Combined`` are ``scene.exr:Combined``; a view layer may stand between.
+
+    ``renders`` and ``FULL`` are ``renders/FULL.png``, or the only other image of that name.
+    """
+    if Path(path).is_dir():
+        return _image_in(Path(path), layer)
     _, view_layer = split_layer(path)
     return f"{path}.{layer}" if view_layer else f"{path}:{layer}"
+
+
+def _image_in(folder, name):
+    images = sorted(file for file in folder.iterdir() if file.is_file() and file.suffix)
+    found = [file for file in images if file.stem == name]
+    if len(found) == 1:
+        return str(found[0])
+    if found:
+        several = ", ".join(file.name for file in found)
+        raise InputError(f"{folder}: has several images {name!r}: {several}; name a --guide each")
+    known = ", ".join(file.stem for file in images) or "none"
+    raise InputError(f"{folder}: has no image {name!r}; its images are: {known}")
 
 
 def _names(text):

@@ -59,7 +59,7 @@ def add_mask_options(group: argparse._ArgumentGroup) -> None:
 
 def paths_in(options: argparse.Namespace) -> list[str | None]:
     """Files that the options name, None among them."""
-    guides = (path for pair in options.guide for path in pair)
+    guides = (path for pair in guide_files(options) for path in pair)
     earlier = options.guide_encoding if options.guide_encoding.endswith(".npy") else None
     return [options.style, options.mask, options.fill, earlier, *guides]
 

@@ -2,12 +2,14 @@
 
 import argparse
 from collections.abc import Collection
-from dataclasses import fields
+from dataclasses import Field, fields
+from typing import Any
 
 from stylit_ref.cli.guide_options import guide_weights
 from stylit_ref.cli.methods import OFFERS, offer_of
 from stylit_ref.cli.parameter_options import add_parameter
 from stylit_ref.errors import InputError
+from stylit_ref.realtime.params import RealtimeParams
 from stylit_ref.stylization.params import Params
 
 SPELLED = {
@@ -35,9 +37,11 @@ def add_preset(group: argparse._ArgumentGroup) -> None:
     """Add ``--preset``."""
     presets = dict.fromkeys(name for offer in OFFERS.values() for name in offer.presets)
     group.add_argument(
-        "--preset", choices=presets, default=next(iter(presets)),
+        "--preset", choices=presets,
         help="final: the finished picture; fast: a preview, close to the eye, a thirteenth of the "
-        "work; thesis: as final, with the 6 levels of the thesis (default %(default)s)",
+        "work; thesis: as final, with the 6 levels of the thesis (default final); of --method "
+        "realtime best: the better picture; quick: half the time; simple, optimized: the two "
+        "methods of Heidrich's thesis (default best)",
     )  # fmt: skip
 
 
@@ -56,7 +60,7 @@ def add_parameters(
     without : collection of str
         Those to leave out.
     """
-    for each in _parameters():
+    for each in parameters_of(*OFFERS):
         if each.name in without or (names is not None and each.name not in names):
             continue
         add_parameter(group, each, _default(each), SPELLED.get(each.name))
@@ -68,16 +72,16 @@ def _default(field):
     return preset.get(field.name, field.default)
 
 
-def _parameters():
+def parameters_of(*methods: str) -> "list[Field[Any]]":
     """Fields of the methods' parameter classes that have an option here, each name once."""
-    classes = dict.fromkeys(offer.params for offer in OFFERS.values())
+    classes = dict.fromkeys(offer_of(method).params for method in methods)
     named = {}
     for each in (each for params in classes for each in fields(params)):
         named.setdefault(each.name, each)
     return [each for name, each in named.items() if name not in _OTHERS]
 
 
-def chosen_params(options: argparse.Namespace) -> Params:
+def chosen_params(options: argparse.Namespace) -> Params | RealtimeParams:
     """Parameters of the method that was chosen.
 
     Parameters
@@ -87,8 +91,7 @@ def chosen_params(options: argparse.Namespace) -> Params:
 
     Returns
     -------
-    Params
-        Or the dataclass of another method.
+    Params or RealtimeParams
 
     Raises
     ------
@@ -96,7 +99,8 @@ def chosen_params(options: argparse.Namespace) -> Params:
         If a value is out of range, or for another method.
     """
     offer = offer_of(options.method)
-    given = {each.name: getattr(options, each.name, None) for each in _parameters()}
+    _refuse_others(options)
+    given = {each.name: getattr(options, each.name, None) for each in parameters_of(*OFFERS)}
     chosen = {name: value for name, value in given.items() if value is not None}
     for name in chosen:
         if name not in offer.heeds:
@@ -107,12 +111,30 @@ def chosen_params(options: argparse.Namespace) -> Params:
             )
     values = chosen | {"method": options.method}
     if "preset" in options:
-        if options.preset not in offer.presets:
+        preset = options.preset or next(iter(offer.presets))
+        if preset not in offer.presets:
             raise InputError(
-                f"is {options.preset}, which is not for method {options.method}", parameter="preset"
+                f"is {preset}, which is not for --method {options.method}; that has "
+                f"{', '.join(offer.presets)}",
+                parameter="preset",
             )
-        values = offer.presets[options.preset] | values
+        values = offer.presets[preset] | values
     if "guide" in options:
         values["guide_weights"] = guide_weights(options)
     names = {each.name for each in fields(offer.params)}
     return offer.params(**{name: value for name, value in values.items() if name in names})
+
+
+def _refuse_others(options):
+    """Refuse what is no parameter, and for other methods alone."""
+    own = offer_of(options.method).options
+    for name in dict.fromkeys(name for offer in OFFERS.values() for name in offer.options):
+        if name not in own and name in options:
+            default = options.parser.get_default(name)
+            if getattr(options, name) != default:
+                methods = [method for method, other in OFFERS.items() if name in other.options]
+                raise InputError(
+                    f"is for --method {', '.join(methods)}; the method is {options.method}, so "
+                    "leave it out",
+                    parameter=name,
+                )

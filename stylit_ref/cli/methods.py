@@ -4,11 +4,13 @@ from collections.abc import Callable
 from dataclasses import fields
 from typing import Any, NamedTuple
 
+from stylit_ref.cli.realtime import kernels_of_realtime, realtime_frame
 from stylit_ref.errors import InputError
 from stylit_ref.machine.kernel import Specialization
+from stylit_ref.realtime.params import REALTIME_PRESETS, RealtimeParams
 from stylit_ref.stylization.methods import METHODS, heeded_by
 from stylit_ref.stylization.params import PRESETS, Params
-from stylit_ref.stylization.stylize import Result, stylize
+from stylit_ref.stylization.stylize import stylize
 from stylit_ref.stylization.warm_up import kernels_of_run
 
 
@@ -25,8 +27,11 @@ class Offer(NamedTuple):
         Those of them that this method heeds.
     presets : dict of str to dict
         Values of them by the name that ``--preset`` takes.
+    options : tuple of str
+        Options of ``run`` beside the parameters that this method heeds and others do not.
     run : callable
-        Called as :func:`stylit_ref.stylize`.
+        Called as :func:`stylit_ref.stylize`; of ``realtime``, which takes its guides by name, as
+        :func:`stylit_ref.cli.realtime.realtime_frame`.
     kernels : callable
         Called as :func:`stylit_ref.stylization.warm_up.kernels_of_run`.
     """
@@ -35,17 +40,29 @@ class Offer(NamedTuple):
     params: type
     heeds: tuple[str, ...]
     presets: dict[str, dict[str, Any]]
-    run: Callable[..., Result]
+    options: tuple[str, ...]
+    run: Callable[..., Any]
     kernels: Callable[..., list[Specialization]]
 
 
 def _stylization(method):
     names = [each.name for each in fields(Params)]
     heeds = [name for name in names if method.name in (heeded_by(name) or METHODS)]
-    return Offer(method.text, Params, tuple(heeds), PRESETS, stylize, kernels_of_run)
+    options = "mask", "fill", "save_levels", "backend", "verbose"
+    return Offer(method.text, Params, tuple(heeds), PRESETS, options, stylize, kernels_of_run)
 
 
-OFFERS = {name: _stylization(method) for name, method in METHODS.items()}
+OFFERS = {name: _stylization(method) for name, method in METHODS.items()} | {
+    "realtime": Offer(
+        "a frame in milliseconds, for programs that show a picture while it is painted",
+        RealtimeParams,
+        tuple(each.name for each in fields(RealtimeParams)),
+        REALTIME_PRESETS,
+        ("warm_start",),
+        realtime_frame,
+        kernels_of_realtime,
+    )
+}
 """By the name that ``--method`` takes; the first is the default."""
 
 

@@ -7,12 +7,14 @@ from stylit_ref.cli.deep_images import holds_bits_of
 from stylit_ref.cli.finished import tell_finished
 from stylit_ref.cli.parameter_options import whole_number
 from stylit_ref.cli.parser import Parser
+from stylit_ref.errors import InputError
 from stylit_ref.files.colour.bit_depth import to_depth
 from stylit_ref.files.colour.profile import note_another_profile, read_colour_profile
 from stylit_ref.files.disk.paths import check_distinct
-from stylit_ref.files.nnf_file import read_nnf
 from stylit_ref.files.read_image import read_image, read_mask
+from stylit_ref.files.realtime_field import RealtimeField, read_any_field
 from stylit_ref.files.write_image import check_image_writable, write_image
+from stylit_ref.realtime.replaying import replay_realtime
 from stylit_ref.stylization.replaying import replay
 
 _DESCRIPTION = """\
@@ -58,18 +60,32 @@ def run(options: argparse.Namespace) -> None:
     """Read, vote, write."""
     start = perf_counter()
     style = read_image(options.style)
-    field = read_nnf(options.nnf)
+    field = read_any_field(options.nnf)
     mask = read_mask(options.mask) if options.mask else None
     fill = to_depth(read_image(options.fill), style.dtype) if options.fill else None
     check_distinct([options.output], [options.style, options.nnf, options.mask, options.fill])
     profile = read_colour_profile(options.style)
     if options.fill:
         note_another_profile(options.fill, profile)
-    image = replay(
-        field, style, patch_width=options.patch_width, scale=options.scale, mask=mask, fill=fill
-    )
+    if isinstance(field, RealtimeField):
+        _refuse_dense(options)
+        image = replay_realtime(field, style)
+    else:
+        image = replay(
+            field, style, patch_width=options.patch_width, scale=options.scale, mask=mask, fill=fill
+        )
     check_image_writable(options.output, image.shape[2])
     holds_bits_of(style, options.output, image.shape[2])
     write_image(options.output, image, curve="srgb", profile=profile)
     if not options.quiet:
         tell_finished(options.output, image, perf_counter() - start)
+
+
+def _refuse_dense(options):
+    """Refuse what a sparse field knows itself, or has not."""
+    for name in ("mask", "fill", "patch_width", "scale"):
+        if getattr(options, name) is not None:
+            raise InputError(
+                f"is not for {options.nnf}, which is of --method realtime; leave it out",
+                parameter=name,
+            )

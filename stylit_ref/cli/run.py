@@ -13,14 +13,23 @@ from stylit_ref.cli.images_out import (
     add_output_option,
     check_outputs,
 )
-from stylit_ref.cli.method_options import add_method, add_parameters, add_preset, chosen_params
+from stylit_ref.cli.method_options import (
+    add_method,
+    add_parameters,
+    add_preset,
+    chosen_params,
+    parameters_of,
+)
 from stylit_ref.cli.methods import offer_of
 from stylit_ref.cli.parameter_options import whole_number
 from stylit_ref.cli.parser import Parser
 from stylit_ref.cli.progress_line import ProgressLine
+from stylit_ref.cli.realtime import add_warm_start, run_realtime
 from stylit_ref.machine.profiling import Profile
 from stylit_ref.notes import note
+from stylit_ref.realtime.params import RealtimeParams
 from stylit_ref.stylization.backends import BACKENDS
+from stylit_ref.stylization.methods import METHODS
 
 _USAGE = "%(prog)s --style IMAGE --guide SOURCE TARGET [--guide ...] --output IMAGE [options]"
 
@@ -67,7 +76,11 @@ def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
     )  # fmt: skip
     everyday.add_argument("--quiet", action="store_true", help="print warnings and errors only")
 
-    add_parameters(parser.add_argument_group("the method in detail"), without=_EVERYDAY)
+    dense = [each.name for each in parameters_of(*METHODS)]
+    add_parameters(parser.add_argument_group("the method in detail"), dense, _EVERYDAY)
+    realtime = parser.add_argument_group("with --method realtime")
+    add_parameters(realtime, without=dense)
+    add_warm_start(realtime)
     add_other_outputs(parser.add_argument_group("other files to write"))
     machine = parser.add_argument_group("the machine")
     machine.add_argument(
@@ -89,6 +102,9 @@ def run(options: argparse.Namespace) -> None:
     """Read, stylize, write; all is checked before the work starts."""
     start = perf_counter()
     params, offer = chosen_params(options), offer_of(options.method)
+    if isinstance(params, RealtimeParams):
+        run_realtime(options, params)
+        return
     profile = Profile()
     with profile.stage("reading images"):
         images = read_images(options)

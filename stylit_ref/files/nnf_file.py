@@ -12,8 +12,10 @@ Files with the first alone are read too: earlier versions wrote them, and ``nump
 
 import json
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stylit_ref.files.field import Field
 from stylit_ref.files.guides.encoding import GuideEncoding
@@ -38,7 +40,12 @@ def read_nnf(path: str | Path) -> Field:
     InputError
         If the file is missing, incomplete, or not a ``.npy`` file.
     """
-    return read_arrays(path, lambda nnf, rest: _with_its_run(nnf, rest) if rest else Field(nnf))
+    return read_arrays(path, made_field)
+
+
+def made_field(nnf: NDArray[np.int32], rest: list[NDArray[Any]]) -> Field:
+    """The field of the arrays in a file; ValueError or KeyError if they make none."""
+    return _with_its_run(nnf, rest) if rest else Field(nnf)
 
 
 def check_nnf_writable(path: str | Path) -> None:
@@ -81,6 +88,8 @@ def write_nnf(path: str | Path, field: Field) -> None:
 def _with_its_run(nnf, rest):
     """The field with what follows its array in the file."""
     facts = json.loads(str(rest[0]))
+    if "spacing" in facts:
+        raise ValueError("it is of --method realtime, and has no entry for every pixel")
     width, outliers, size = (facts[name] for name in ("patch_width", "vote_outliers", "style_size"))
     numbers = [outliers, *(size or ()), *([] if width is None else [width])]
     if any(type(number) is not int or number < 0 for number in numbers) or len(size or "HW") != 2:

@@ -19,7 +19,7 @@ from stylit_ref.realtime.passes.records import MEANS
 EVERYWHERE = 1 << 15
 """A radius that reaches the whole source at any level."""
 
-PACKINGS = "packed", "all", "pca"
+PACKINGS = "auto", "packed", "all", "pca"
 STARTS = "vote", "bilinear"
 
 
@@ -60,9 +60,10 @@ class RealtimeParams:
         Leave out the guides where μ = 1 (equation 22).
     labels : bool
         Whether a patch must have the label of the entry that it is for, where labels are given.
-    packing : {"packed", "all", "pca"}
-        How buffers become guides: the thesis' channels (figure 16), all of them, or principal
-        components.
+    packing : {"auto", "packed", "all", "pca"}
+        How buffers become guides: the thesis' channels (figure 16), all of them, principal
+        components, or what suits the buffers
+        (:func:`~stylit_ref.realtime.packing.choose.choose_packing`).
     """
 
     patch_width: int = parameter(5, Integer(3, 13, odd=True), "w, pixels along a patch")
@@ -93,7 +94,12 @@ class RealtimeParams:
     means: str = parameter("mip", Choice(MEANS), "scales: texels of coarser levels, or boxes")
     unread_terms: bool = parameter(True, Flag(), "do not read guides that have no weight")
     labels: bool = parameter(True, Flag(), "match only pixels of the same label")
-    packing: str = parameter("packed", Choice(PACKINGS), "how buffers become guides")
+    packing: str = parameter(
+        "auto", Choice(PACKINGS),
+        "how guides become bytes: packed: as the thesis does for a red object on a white stage; "
+        "all: the same guides unpacked; pca: principal components; auto: packed where nothing is "
+        "lost by it, else pca",
+    )  # fmt: skip
 
     def __post_init__(self) -> None:
         check_fields(self)

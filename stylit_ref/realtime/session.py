@@ -387,3 +387,7 @@ class Session:
     def _needs_frame(self):
         if not self._has_frame:
             raise InputError("is not there yet; compute a frame first", parameter="nnf")
+
+
+RealtimeSession = Session
+"""What :class:`Session` is called where there are sessions of other kinds."""

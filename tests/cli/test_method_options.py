@@ -166,19 +166,19 @@ class Sparse:
 
 
 def test_a_method_with_parameters_of_its_own(monkeypatch, capsys):
-    offer = Offer("on a grid", Sparse, ("grid", "levels"), {"quick": {"grid": 2}}, None, None)
+    offer = Offer("on a grid", Sparse, ("grid", "levels"), {"quick": {"grid": 2}}, (), None, None)
     monkeypatch.setitem(OFFERS, "sparse", offer)
     call = ["run", "--style", "s", "--guide", "a", "b", "--output", "o", "--method", "sparse"]
     parser = make_parser()
     options = parser.parse_args([*call, "--preset", "quick", "--pyramid-levels", "5"])
     assert chosen_params(options) == Sparse(grid=2, levels=5)
     assert main([*call, "--preset", "quick", "--uniformity", "5"]) == 2
-    assert main(call) == 2
+    assert main([*call, "--preset", "final"]) == 2
     assert main([*call[:-1], "ref", "--grid", "5"]) == 2
     assert main([*call, "--preset", "quick", "--grid", "12"]) == 2
     assert capsys.readouterr().err.splitlines() == [
         "stylit-ref: --uniformity is for --method ref, guide_map; the method is sparse",
-        "stylit-ref: --preset is final, which is not for method sparse",
+        "stylit-ref: --preset is final, which is not for --method sparse; that has quick",
         "stylit-ref: --grid is for --method sparse; the method is ref",
         "stylit-ref: --grid is 12; it must be an integer from 1 to 9",
     ]

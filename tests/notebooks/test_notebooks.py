@@ -9,7 +9,7 @@ NOTEBOOKS = sorted(Path(__file__).parents[2].joinpath("notebooks").glob("*.py"))
 
 
 def test_they_are_found():
-    assert [file.name[0] for file in NOTEBOOKS] == list("12345678")
+    assert [file.name[0] for file in NOTEBOOKS] == list("123456789")
 
 
 @pytest.mark.parametrize("file", NOTEBOOKS, ids=lambda file: file.stem)

@@ -13,9 +13,10 @@ A buffer is (H, W) or (H, W, 3) uint8. A label is a number for each kind of thin
 from one to another.
 """
 
+from stylit_ref.realtime.packing.choose import choose_packing
 from stylit_ref.realtime.packing.packed import Packing, pack
 from stylit_ref.realtime.packing.principal import PrincipalPacking
 from stylit_ref.realtime.packing.stage import StagePacking
 from stylit_ref.realtime.packing.unpacked import UnpackedStage
 
-__all__ = ["Packing", "PrincipalPacking", "StagePacking", "UnpackedStage", "pack"]
+__all__ = ["Packing", "PrincipalPacking", "StagePacking", "UnpackedStage", "choose_packing", "pack"]

@@ -1,0 +1,34 @@
+"""Which kernels a frame needs."""
+
+import numpy as np
+
+from stylit_ref.machine.kernel import Specialization, rehearsal
+from stylit_ref.realtime.packing import Packing, pack
+from stylit_ref.realtime.params import RealtimeParams
+from stylit_ref.realtime.session import Session
+
+
+def kernels_of_frame(params: RealtimeParams, packing: Packing) -> list[Specialization]:
+    """The kernels that a cold frame calls, packing included.
+
+    They are found out by a small frame in which they do nothing.
+
+    Parameters
+    ----------
+    params : RealtimeParams
+    packing : Packing
+
+    Returns
+    -------
+    list of Specialization
+        In the order of their first calls.
+    """
+    side = 4 * params.patch_width
+    buffers = {name: np.zeros((side, side, 3), np.uint8) for name in packing.names}
+    with rehearsal() as rehearsed:
+        guides, labels = pack(packing, buffers)
+        session = Session(params, threads=1)
+        session.set_exemplar(guides, np.zeros((side, side, 3), np.uint8), labels)
+        session.set_target(guides, labels)
+        session.frame()
+    return list(rehearsed)
