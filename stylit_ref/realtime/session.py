@@ -17,6 +17,7 @@ from stylit_ref.realtime.checks import (
     check_guides,
     check_labels,
     check_nnf,
+    check_sides,
     check_style,
     check_weights,
 )
@@ -76,6 +77,7 @@ class Session:
         self._stop = np.zeros(1, np.uint8)
         self._exemplar: Exemplar | None = None
         self._target: Target | None = None
+        self._viewed: Target | None = None  # what a caller writes to while the target is whole
         self._nnf: list[NDArray[np.int32]] = []
         self._labels: NDArray[np.uint8] | None = None
         self._kept: int | None = None  # the first level whose NNF a stroke leaves as it is
@@ -88,7 +90,7 @@ class Session:
         style: NDArray[np.uint8],
         labels: NDArray[np.uint8] | None = None,
     ) -> None:
-        """Take another source; the target's guides must have as many channels.
+        """Take another source; if there is a target, its guides must have as many channels.
 
         Parameters
         ----------
@@ -110,11 +112,15 @@ class Session:
         labels = check_labels(labels if self.params.labels else None, size, "source_labels")
         with self._turn():
             if self._target is not None:
-                self._check_pair(guides.shape[2], self._target.layout.channels, "source_guides")
+                self._check_pair(
+                    guides.shape[2], self._target.layout.channels, "source_guides",
+                    remedy="pack both alike, or begin a new Session for other channels",
+                )  # fmt: skip
                 self._check_known(labels, self._labels, "source_labels")
             layout = Layout(self.params, guides.shape[2], self._passes)
             refinement = Refinement(layout, self._weights_for(layout.channels))
-            if self._exemplar is None or self._exemplar.size != size:
+            known = self._exemplar
+            if known is None or (known.size, known.layout) != (size, layout):
                 self._exemplar = Exemplar(*size, layout)
                 self._has_frame = False
             self._exemplar.set_guides(guides)
@@ -174,17 +180,38 @@ class Session:
         Returns
         -------
         (height, width, channels) uint8
-            A strided view, valid until the target changes its size.
+            A strided view, for the next call of :meth:`view_changed`. What it held is undefined.
+
+        Raises
+        ------
+        InputError
+            If there is no source, or a side is too long.
         """
+        size = height, width
+        check_sides(size, "target_guides")
         with self._turn():
-            self._target = self._target_of((height, width), self._needs_exemplar().layout.channels)
-            return self._target.view
+            layout = self._needs_exemplar().layout
+            known = self._viewed
+            if known is None or (known.size, known.layout) != (size, layout):
+                self._viewed = Target(*size, layout)
+            return self._viewed.view
 
     def view_changed(self, labels: NDArray[np.uint8] | None = None) -> None:
-        """Take what was written to :meth:`target_view`, and the labels that belong to it."""
+        """Take what was written to :meth:`target_view`, and the labels that belong to it.
+
+        Raises
+        ------
+        InputError
+            If the labels do not fit, or there is no view.
+        """
         with self._turn():
-            target = self._needs_target()
+            target, layout = self._viewed, self._needs_exemplar().layout
+            if target is None or target.layout != layout:
+                raise InputError(
+                    "is not there; call target_view and write to it first", parameter="view"
+                )
             labels = self._checked_labels(labels, target)
+            self._viewed = self._target
             target.view_changed()
             self._take(target, labels)
 
@@ -329,7 +356,7 @@ class Session:
         return Target(*size, layout)
 
     def _take(self, target, labels):
-        if target is not self._target:
+        if self._target is None or target.size != self._target.size:
             self._has_frame, self._nnf = False, []
             self._free_threads.forget()
         self._target, self._labels, self._kept = target, labels, None
@@ -359,16 +386,17 @@ class Session:
                 parameter=parameter,
             )
 
-    def _check_pair(self, channels, others, parameter):
+    def _check_pair(self, channels, others, parameter, remedy="pack both alike"):
         if channels != others:
             raise InputError(
-                f"has {channels} channels, but the other side has {others}; pack both alike",
+                f"has {channels} channels, but the other side has {others}; {remedy}",
                 parameter=parameter,
             )
 
     def _weights_for(self, channels):
         refinement = getattr(self, "_refinement", None)
-        return (1,) * channels if refinement is None else refinement.weights
+        is_for_these = refinement is not None and len(refinement.weights) == channels
+        return refinement.weights if is_for_these else (1,) * channels
 
     def _needs_exemplar(self):
         if self._exemplar is None:
