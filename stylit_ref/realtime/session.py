@@ -11,6 +11,7 @@ from stylit_ref.errors import InputError
 from stylit_ref.machine.free_threads import FreeThreads
 from stylit_ref.machine.replaced import Passes
 from stylit_ref.machine.thread_count import using_threads
+from stylit_ref.machine.vector_patch import STYLE_LANES
 from stylit_ref.randomness.seed import check_seed
 from stylit_ref.realtime import passes as cpu_passes
 from stylit_ref.realtime.checks import (
@@ -83,6 +84,7 @@ class Session:
         self._kept: int | None = None  # the first level whose NNF a stroke leaves as it is
         self._seed_of_kept = seed
         self._has_frame = False
+        self._dense: NDArray[np.int32] | None = None
 
     def set_exemplar(
         self,
@@ -279,9 +281,10 @@ class Session:
                             exemplar, target, self._refinement, nnf, level, self.seed, self._stop
                         )
                     self._heed_cancel()
-                picture = self._blended(nnf[0])
+                dense = self._dense_of(nnf[0]) if self.params.dense_finish else None
+                picture = self._blended(nnf[0]) if dense is None else self._voted(dense)
                 self._heed_cancel()
-            self._nnf, self._has_frame = nnf, True
+            self._nnf, self._has_frame, self._dense = nnf, True, dense
             if not warm:
                 self._kept = self._refinement.first_level_of_guides_alone
                 self._seed_of_kept = self.seed
@@ -296,7 +299,33 @@ class Session:
         """
         with self._turn():
             self._needs_frame()
+            if self.params.dense_finish:
+                return self._voted(self._finished())
             return self._blended(self._nnf[0])
+
+    def dense_nnf(self) -> NDArray[np.int32]:
+        """The last frame's NNF with a match for every pixel: y and x of the source.
+
+        It is that of the picture with ``dense_finish``; without, it is made for this call.
+
+        Returns
+        -------
+        (height, width, 2) int32
+
+        Raises
+        ------
+        InputError
+            If there is no frame, or the parameters have ``scale_space``.
+        """
+        with self._turn():
+            self._needs_frame()
+            if self.params.scale_space:
+                raise InputError(
+                    "compares no patches, so there is no dense NNF; leave it out",
+                    parameter="scale_space",
+                )
+            dense = self._finished()
+            return np.stack([dense >> 16, dense & 0xFFFF], -1).astype(np.int32)
 
     def cancel(self) -> None:
         """End a frame that another thread computes, at once, with :class:`FrameCancelledError`."""
@@ -325,7 +354,7 @@ class Session:
             nnf = check_nnf(nnf, target.grids[0], first, last)
             levels = self._nnf or [np.zeros(grid, np.int32) for grid in target.grids]
             self._nnf = [nnf[..., 0] << 16 | nnf[..., 1], *levels[1:]]
-            self._has_frame = True
+            self._has_frame, self._dense = True, None
 
     @contextmanager
     def _turn(self) -> Iterator[None]:
@@ -346,6 +375,33 @@ class Session:
         picture = np.empty((*target.size, 3), np.uint8)
         out = Image(picture.reshape(-1), target.size[1], 0, *target.size)
         self._passes.make_blend(params.patch_width, params.step, 3)(nnf, exemplar.style[0], out)
+        return picture
+
+    def _finished(self):
+        if self._dense is None:
+            self._dense = self._dense_of(self._nnf[0])
+        return self._dense
+
+    def _dense_of(self, nnf):
+        exemplar, target, params = self._needs_exemplar(), self._needs_target(), self.params
+        lanes = exemplar.layout.lanes_read(0)
+        self._passes.make_blend(params.patch_width, params.step, STYLE_LANES)(
+            nnf, exemplar.style[0], target.picture[0]
+        )
+        guides, picture, _ = target.read_at(0)
+        none = np.zeros((0, 0), np.uint8)
+        labels = none if self._labels is None else self._labels
+        dense = np.empty(target.size, np.int32)
+        self._passes.make_dense_nnf(params.patch_width, params.step, lanes)(
+            nnf, exemplar.read_at(0), guides, picture, self._refinement.by_level[0], labels,
+            exemplar.labels[0], dense,
+        )  # fmt: skip
+        return dense
+
+    def _voted(self, dense):
+        picture = np.empty((*dense.shape, 3), np.uint8)
+        style = self._needs_exemplar().style[0]
+        self._passes.make_vote(self.params.patch_width)(dense, style, picture)
         return picture
 
     def _target_of(self, size, channels):
