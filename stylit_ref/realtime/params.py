@@ -58,6 +58,9 @@ class RealtimeParams:
         What a scale is: a texel of a coarser level, or the mean of a centred box.
     unread_terms : bool
         Leave out the guides where μ = 1 (equation 22).
+    dense_finish : bool
+        Give every pixel the best match of the entries around it at the end, and average all patches
+        over it: less energy, but slower. Not with ``scale_space``.
     labels : bool
         Whether a patch must have the label of the entry that it is for, where labels are given.
     packing : {"auto", "packed", "all", "pca"}
@@ -93,6 +96,7 @@ class RealtimeParams:
     depth: int = parameter(3, Integer(1, 4), "D, number of scales")
     means: str = parameter("mip", Choice(MEANS), "scales: texels of coarser levels, or boxes")
     unread_terms: bool = parameter(True, Flag(), "do not read guides that have no weight")
+    dense_finish: bool = parameter(False, Flag(), "end with a match for every pixel; slower")
     labels: bool = parameter(True, Flag(), "match only pixels of the same label")
     packing: str = parameter(
         "auto", Choice(PACKINGS),
@@ -106,6 +110,11 @@ class RealtimeParams:
         for name in ("mu", "iterations", "radii"):
             if not getattr(self, name):
                 raise InputError("is empty; it must have a number at least", parameter=name)
+        if self.dense_finish and self.scale_space:
+            raise InputError(
+                "compares patches, which scale_space replaces; leave out one of them",
+                parameter="dense_finish",
+            )
         least = self.patch_width // 2 + 1
         if self.spacing is not None and not least <= self.spacing <= self.patch_width:
             raise InputError(

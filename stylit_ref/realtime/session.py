@@ -11,12 +11,14 @@ from stylit_ref.errors import InputError
 from stylit_ref.machine.free_threads import FreeThreads
 from stylit_ref.machine.replaced import Passes
 from stylit_ref.machine.thread_count import using_threads
+from stylit_ref.machine.vector_patch import STYLE_LANES
 from stylit_ref.randomness.seed import check_seed
 from stylit_ref.realtime import passes as cpu_passes
 from stylit_ref.realtime.checks import (
     check_guides,
     check_labels,
     check_nnf,
+    check_sides,
     check_style,
     check_weights,
 )
@@ -76,11 +78,13 @@ class Session:
         self._stop = np.zeros(1, np.uint8)
         self._exemplar: Exemplar | None = None
         self._target: Target | None = None
+        self._viewed: Target | None = None  # what a caller writes to while the target is whole
         self._nnf: list[NDArray[np.int32]] = []
         self._labels: NDArray[np.uint8] | None = None
         self._kept: int | None = None  # the first level whose NNF a stroke leaves as it is
         self._seed_of_kept = seed
         self._has_frame = False
+        self._dense: NDArray[np.int32] | None = None
 
     def set_exemplar(
         self,
@@ -88,7 +92,7 @@ class Session:
         style: NDArray[np.uint8],
         labels: NDArray[np.uint8] | None = None,
     ) -> None:
-        """Take another source; the target's guides must have as many channels.
+        """Take another source; if there is a target, its guides must have as many channels.
 
         Parameters
         ----------
@@ -110,7 +114,10 @@ class Session:
         labels = check_labels(labels if self.params.labels else None, size, "source_labels")
         with self._turn():
             if self._target is not None:
-                self._check_pair(guides.shape[2], self._target.layout.channels, "source_guides")
+                self._check_pair(
+                    guides.shape[2], self._target.layout.channels, "source_guides",
+                    remedy="pack both alike, or begin a new Session for other channels",
+                )  # fmt: skip
                 self._check_known(labels, self._labels, "source_labels")
             layout = Layout(self.params, guides.shape[2], self._passes)
             refinement = Refinement(layout, self._weights_for(layout.channels))
@@ -175,17 +182,38 @@ class Session:
         Returns
         -------
         (height, width, channels) uint8
-            A strided view, valid until the target changes its size.
+            A strided view, for the next call of :meth:`view_changed`. What it held is undefined.
+
+        Raises
+        ------
+        InputError
+            If there is no source, or a side is too long.
         """
+        size = height, width
+        check_sides(size, "target_guides")
         with self._turn():
-            self._target = self._target_of((height, width), self._needs_exemplar().layout.channels)
-            return self._target.view
+            layout = self._needs_exemplar().layout
+            known = self._viewed
+            if known is None or (known.size, known.layout) != (size, layout):
+                self._viewed = Target(*size, layout)
+            return self._viewed.view
 
     def view_changed(self, labels: NDArray[np.uint8] | None = None) -> None:
-        """Take what was written to :meth:`target_view`, and the labels that belong to it."""
+        """Take what was written to :meth:`target_view`, and the labels that belong to it.
+
+        Raises
+        ------
+        InputError
+            If the labels do not fit, or there is no view.
+        """
         with self._turn():
-            target = self._needs_target()
+            target, layout = self._viewed, self._needs_exemplar().layout
+            if target is None or target.layout != layout:
+                raise InputError(
+                    "is not there; call target_view and write to it first", parameter="view"
+                )
             labels = self._checked_labels(labels, target)
+            self._viewed = self._target
             target.view_changed()
             self._take(target, labels)
 
@@ -255,9 +283,10 @@ class Session:
                             exemplar, target, self._refinement, known, level, self.seed, self._stop
                         )
                     self._heed_cancel()
-                picture = self._blended(nnf[0])
+                dense = self._dense_of(nnf[0]) if self.params.dense_finish else None
+                picture = self._blended(nnf[0]) if dense is None else self._voted(dense)
                 self._heed_cancel()
-            self._nnf, self._has_frame = nnf, True
+            self._nnf, self._has_frame, self._dense = nnf, True, dense
             if not warm:
                 self._kept = self._refinement.first_level_of_guides_alone
                 self._seed_of_kept = self.seed
@@ -272,7 +301,33 @@ class Session:
         """
         with self._turn():
             self._needs_frame()
+            if self.params.dense_finish:
+                return self._voted(self._finished())
             return self._blended(self._nnf[0])
+
+    def dense_nnf(self) -> NDArray[np.int32]:
+        """The last frame's NNF with a match for every pixel: y and x of the source.
+
+        It is that of the picture with ``dense_finish``; without, it is made for this call.
+
+        Returns
+        -------
+        (height, width, 2) int32
+
+        Raises
+        ------
+        InputError
+            If there is no frame, or the parameters have ``scale_space``.
+        """
+        with self._turn():
+            self._needs_frame()
+            if self.params.scale_space:
+                raise InputError(
+                    "compares no patches, so there is no dense NNF; leave it out",
+                    parameter="scale_space",
+                )
+            dense = self._finished()
+            return np.stack([dense >> 16, dense & 0xFFFF], -1).astype(np.int32)
 
     def cancel(self) -> None:
         """End a frame that another thread computes, at once, with :class:`FrameCancelledError`."""
@@ -301,7 +356,7 @@ class Session:
             nnf = check_nnf(nnf, target.grids[0], first, last)
             levels = self._nnf or [np.zeros(grid, np.int32) for grid in target.grids]
             self._nnf = [nnf[..., 0] << 16 | nnf[..., 1], *levels[1:]]
-            self._has_frame = True
+            self._has_frame, self._dense = True, None
 
     @contextmanager
     def _turn(self) -> Iterator[None]:
@@ -324,6 +379,33 @@ class Session:
         self._passes.make_blend(params.patch_width, params.step, 3)(nnf, exemplar.style[0], out)
         return picture
 
+    def _finished(self):
+        if self._dense is None:
+            self._dense = self._dense_of(self._nnf[0])
+        return self._dense
+
+    def _dense_of(self, nnf):
+        exemplar, target, params = self._needs_exemplar(), self._needs_target(), self.params
+        lanes = exemplar.layout.lanes_read(0)
+        self._passes.make_blend(params.patch_width, params.step, STYLE_LANES)(
+            nnf, exemplar.style[0], target.picture[0]
+        )
+        guides, picture, _ = target.read_at(0)
+        none = np.zeros((0, 0), np.uint8)
+        labels = none if self._labels is None else self._labels
+        dense = np.empty(target.size, np.int32)
+        self._passes.make_dense_nnf(params.patch_width, params.step, lanes)(
+            nnf, exemplar.read_at(0), guides, picture, self._refinement.by_level[0], labels,
+            exemplar.labels[0], dense,
+        )  # fmt: skip
+        return dense
+
+    def _voted(self, dense):
+        picture = np.empty((*dense.shape, 3), np.uint8)
+        style = self._needs_exemplar().style[0]
+        self._passes.make_vote(self.params.patch_width)(dense, style, picture)
+        return picture
+
     def _target_of(self, size, channels):
         layout = self._needs_exemplar().layout
         self._check_pair(channels, layout.channels, "target_guides")
@@ -332,7 +414,7 @@ class Session:
         return Target(*size, layout)
 
     def _take(self, target, labels):
-        if target is not self._target:
+        if self._target is None or target.size != self._target.size:
             self._has_frame, self._nnf = False, []
             self._free_threads.forget()
         self._target, self._labels, self._kept = target, labels, None
@@ -362,10 +444,10 @@ class Session:
                 parameter=parameter,
             )
 
-    def _check_pair(self, channels, others, parameter):
+    def _check_pair(self, channels, others, parameter, remedy="pack both alike"):
         if channels != others:
             raise InputError(
-                f"has {channels} channels, but the other side has {others}; pack both alike",
+                f"has {channels} channels, but the other side has {others}; {remedy}",
                 parameter=parameter,
             )
 

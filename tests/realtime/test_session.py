@@ -145,6 +145,36 @@ def test_a_view_is_as_good_as_a_copy():
     assert np.array_equal(other.frame(), expected)
 
 
+def test_a_view_leaves_the_session_as_it_is_until_it_is_taken():
+    case = make_case()
+    session = make_session(case)
+    expected = session.frame()
+    session.target_view(*case.target.shape[:2])[:] = 255 - case.target
+    with pytest.raises(InputError, match="have 9 in the target, but not in the source"):
+        session.view_changed(np.full_like(case.target_labels, 9))
+    session.target_view(3, 4)[:] = 7
+    assert np.array_equal(session.frame(), expected)
+    assert session.frame(warm=True).shape == expected.shape
+
+
+def test_views_of_one_size_keep_the_frame_before():
+    case = make_case()
+    session = make_session(case)
+    session.frame()
+    expected = session.frame(warm=True)
+    session.frame()
+    for _ in range(3):
+        session.target_view(*case.target.shape[:2])[:] = case.target
+        session.view_changed(case.target_labels)
+    assert np.array_equal(session.frame(warm=True), expected)
+
+
+def test_a_view_is_taken_once():
+    session = make_session(make_case())
+    with pytest.raises(InputError, match="view is not there; call target_view"):
+        session.view_changed()
+
+
 def test_weights_of_0_leave_channels_out():
     case = make_case()
     session = make_session(case)
@@ -220,7 +250,7 @@ def test_threads_wait_for_each_other():
         (lambda s, c: s.set_target(c.target, c.target_labels[1:]), "target_labels has the shape"),
         (lambda s, c: s.set_weights((1, 2)), "weights must be 10 integers"),
         (lambda s, c: s.set_weights((129,) * 10), "weights make a weight of"),
-        (lambda s, c: s.set_exemplar(c.guides[..., :4], c.style), "source_guides has 4 channels"),
+        (lambda s, c: s.set_exemplar(c.guides[..., :4], c.style), "begin a new Session"),
         (lambda s, c: setattr(s, "nnf", np.zeros((2, 2, 2), np.int32)), "nnf has the shape"),
         (lambda s, c: s.frame(seed=-1), "seed is -1"),
     ],

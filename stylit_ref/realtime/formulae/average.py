@@ -12,6 +12,12 @@ def mean_of_four(a: int, b: int, c: int, d: int) -> np.uint8:
 
 
 @njit
+def mean_of(total: int, count: int) -> np.uint8:
+    """Of ``count`` bytes that sum up to ``total``."""
+    return np.uint8((np.uint32(total) + np.uint32(count) // np.uint32(2)) // np.uint32(count))
+
+
+@njit
 def bilinear(near: int, beside: int, below: int, diagonal: int) -> np.uint8:
     """A pixel of B' from the next coarser level (5.2.4), centres aligned: weights 9, 3, 3, 1."""
     total = np.uint32(9) * near + np.uint32(3) * (np.uint32(beside) + below) + np.uint32(diagonal)

@@ -43,3 +43,12 @@ def last_centre(pixels: int, radius: int) -> int:
 def is_of_half(row: int, column: int, parity: int) -> bool:
     """Whether an entry is searched in a half iteration (figure 20): its four neighbours are not."""
     return (row + column + parity) % 2 == 0
+
+
+@njit
+def covering_entries(pixel: int, step: int, radius: int, entries: int) -> tuple[int, int]:
+    """The first and the last entry along a side whose patches cover a pixel."""
+    first = pixel // step
+    offset = pixel - first * step
+    last = first + 1 if step - offset <= radius and first + 1 < entries else first
+    return (last if offset > radius else first), last

@@ -2,6 +2,7 @@
 
 from stylit_ref.realtime.passes.blend import make_blend
 from stylit_ref.realtime.passes.border import make_extend
+from stylit_ref.realtime.passes.dense_finish import make_dense_nnf, make_vote
 from stylit_ref.realtime.passes.fill import make_fill
 from stylit_ref.realtime.passes.pyramid import (
     decimate_labels,
@@ -19,12 +20,14 @@ __all__ = [
     "free_lost_labels",
     "make_blend",
     "make_box_records",
+    "make_dense_nnf",
     "make_extend",
     "make_fill",
     "make_halve",
     "make_insert_style",
     "make_mip_records",
     "make_search",
+    "make_vote",
     "mark_labels",
     "random_nnf",
     "upsample_nnf",

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from functools import cache
 
 import numpy as np
-from numba import prange
+from numba import njit, prange
 from numpy.typing import NDArray
 
 from stylit_ref.machine.inlined import inlined
@@ -18,11 +18,18 @@ from stylit_ref.realtime.passes.image import Image
 
 @inlined
 def put_row(values: NDArray[np.uint8], start: int, line: NDArray[np.uint8], length: int) -> None:
-    """Copy the beginning of a line."""
-    values[start : start + length] = line[:length]
+    """Copy the beginning of a line; a loop, since slices take Numba long to compile."""
+    for i in range(np.uint64(length)):
+        values[np.uint64(start) + i] = line[i]
 
 
-@inlined
+@njit
+def _repeat_row(values: NDArray[np.uint8], start: int, to: int, length: int) -> None:
+    for i in range(np.uint64(length)):
+        values[np.uint64(to) + i] = values[np.uint64(start) + i]
+
+
+@njit
 def extend_row(image: Image, y: int, lanes: int) -> None:
     """Repeat the ends of row ``y``; and the whole row, if it is the first or the last."""
     values = image.values
@@ -33,13 +40,12 @@ def extend_row(image: Image, y: int, lanes: int) -> None:
     for i in range(border):
         values[start + i] = values[start + border + i % lanes]
         values[end + i] = values[end - lanes + i % lanes]
-    row = values[start : start + length]
     if y == 0:
         for k in range(1, image.border + 1):
-            values[start - k * length : start - k * length + length] = row
+            _repeat_row(values, start, start - k * length, length)
     if y == image.height - 1:
         for k in range(1, image.border + 1):
-            values[start + k * length : start + k * length + length] = row
+            _repeat_row(values, start, start + k * length, length)
 
 
 @cache
