@@ -6,6 +6,7 @@ a session runs with these passes as it is, exact but slow.
 
 import gpu_cuda.host.redirection  # noqa: F401
 from gpu_cuda.realtime.blend import make_blend
+from gpu_cuda.realtime.dense_finish import make_dense_nnf, make_vote
 from gpu_cuda.realtime.labels import decimate_labels, free_lost_labels, mark_labels
 from gpu_cuda.realtime.pixels import make_extend, make_fill, make_insert_style
 from gpu_cuda.realtime.pyramid import make_halve
@@ -18,12 +19,14 @@ __all__ = [
     "free_lost_labels",
     "make_blend",
     "make_box_records",
+    "make_dense_nnf",
     "make_extend",
     "make_fill",
     "make_halve",
     "make_insert_style",
     "make_mip_records",
     "make_search",
+    "make_vote",
     "mark_labels",
     "random_nnf",
     "upsample_nnf",

@@ -6,8 +6,10 @@ from stylit_ref.realtime.formulae import average, grid, packed_nnf, random_candi
 
 bilinear = formula(average.bilinear)
 column_of = formula(packed_nnf.column_of)
+covering_entries = formula(grid.covering_entries)
 first_centre = formula(grid.first_centre)
 last_centre = formula(grid.last_centre)
+mean_of = formula(average.mean_of)
 mean_of_four = formula(average.mean_of_four)
 packed = formula(packed_nnf.packed)
 random_column = formula(random_candidate.random_column)

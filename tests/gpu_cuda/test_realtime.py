@@ -18,12 +18,14 @@ from stylit_ref.realtime.passes.search import FREE, Grid
 MAKERS = {
     "make_blend": (5, 3, 4),
     "make_box_records": (8, 2),
+    "make_dense_nnf": (5, 3, 8),
     "make_extend": (8,),
     "make_fill": (5, 8),
     "make_halve": (8,),
     "make_insert_style": (8,),
     "make_mip_records": (8, 2),
     "make_search": (5, 5, 8),
+    "make_vote": (5,),
 }
 BORDER = 4
 
@@ -176,6 +178,28 @@ def test_half_iteration(shape, lanes, parity, radius):
     stop = np.zeros(1, np.uint8)
     assert_same(0, do, twin, nnf, *images, row, entries, stream, parity, radius, stop)
     assert (nnf != before).any()
+
+
+@pytest.mark.parametrize("labelled", [False, True])
+@pytest.mark.parametrize("lanes", [4, 12])
+@pytest.mark.parametrize("width", [3, 5])
+def test_dense_finish(width, lanes, labelled):
+    rng = np.random.default_rng(width)
+    source, target, step = (9, 11), (10, 8), width // 2 + 1
+    images = [image_of(rng, source, lanes), image_of(rng, target, lanes)]
+    images.append(images[1] if lanes == STYLE_LANES else image_of(rng, target, STYLE_LANES))
+    row = np.zeros(row_lanes(width, lanes), np.int16)
+    row[: width * lanes] = np.tile(rng.integers(0, 5, lanes), width)
+    labels = [
+        rng.integers(0, 2, size if labelled else (0, 0), np.uint8) for size in (target, source)
+    ]
+    entries = random_entries(rng, [grid_size(side, step) for side in target], source, width // 2)
+    dense = np.zeros(target, np.int32)
+    do, twin = (each.make_dense_nnf(width, step, lanes) for each in (passes, gpu_cuda.realtime))
+    assert_same(7, do, twin, entries, *images, row, *labels, dense)
+    do, twin = (each.make_vote(width) for each in (passes, gpu_cuda.realtime))
+    style, out = image_of(rng, source, STYLE_LANES), np.zeros((*target, 3), np.uint8)
+    assert_same(2, do, twin, dense, style, out)
 
 
 def test_a_stopped_search_changes_nothing():
