@@ -10,7 +10,7 @@ import numba
 import OpenImageIO as oiio
 
 from stylit_ref import __version__
-from stylit_ref.cli.methods import OFFERS
+from stylit_ref.cli.methods import OFFERS, made_params
 from stylit_ref.cli.parser import Parser
 from stylit_ref.stylization.warm_up import SIX_GUIDES
 
@@ -51,7 +51,7 @@ def _lines():
 
 def _kernel_lines():
     needed = {
-        name: offer.kernels(offer.params(method=name), 3, SIX_GUIDES)
+        name: offer.kernels(made_params(name, next(iter(offer.presets.values()))), 3, SIX_GUIDES)
         for name, offer in OFFERS.items()
     }
     folders = {each.folder for kernels in needed.values() for each in kernels}

@@ -6,7 +6,7 @@ from dataclasses import Field, fields
 from typing import Any
 
 from stylit_ref.cli.guide_options import guide_weights
-from stylit_ref.cli.methods import OFFERS, offer_of
+from stylit_ref.cli.methods import OFFERS, made_params, offer_of
 from stylit_ref.cli.parameter_options import add_parameter
 from stylit_ref.errors import InputError
 from stylit_ref.realtime.params import RealtimeParams
@@ -40,8 +40,8 @@ def add_preset(group: argparse._ArgumentGroup) -> None:
         "--preset", choices=presets,
         help="final: the finished picture; fast: a preview, close to the eye, a thirteenth of the "
         "work; thesis: as final, with the 6 levels of the thesis (default final); of --method "
-        "realtime best: the better picture; quick: half the time; simple, optimized: the two "
-        "methods of Heidrich's thesis (default best)",
+        "realtime best: the better picture; quick: six tenths of the time; simple, optimized: the "
+        "two methods of Heidrich's thesis (default best)",
     )  # fmt: skip
 
 
@@ -109,7 +109,7 @@ def chosen_params(options: argparse.Namespace) -> Params | RealtimeParams:
                 f"is for --method {', '.join(methods)}; the method is {options.method}",
                 parameter=name,
             )
-    values = chosen | {"method": options.method}
+    values = chosen
     if "preset" in options:
         preset = options.preset or next(iter(offer.presets))
         if preset not in offer.presets:
@@ -121,8 +121,7 @@ def chosen_params(options: argparse.Namespace) -> Params | RealtimeParams:
         values = offer.presets[preset] | values
     if "guide" in options:
         values["guide_weights"] = guide_weights(options)
-    names = {each.name for each in fields(offer.params)}
-    return offer.params(**{name: value for name, value in values.items() if name in names})
+    return made_params(options.method, values)
 
 
 def _refuse_others(options):

@@ -66,6 +66,14 @@ OFFERS = {name: _stylization(method) for name, method in METHODS.items()} | {
 """By the name that ``--method`` takes; the first is the default."""
 
 
+def made_params(method: str, values: dict[str, Any]) -> Any:
+    """Parameters of a method from values by name; those of other methods are left out."""
+    offer = OFFERS[method]
+    names = {each.name for each in fields(offer.params)}
+    values = values | {"method": method}
+    return offer.params(**{name: value for name, value in values.items() if name in names})
+
+
 def offer_of(method: str) -> Offer:
     """The row of a method.
 

@@ -4,7 +4,12 @@ import argparse
 import sys
 from time import perf_counter
 
-from stylit_ref.cli.method_options import add_method, add_parameters, chosen_params
+from stylit_ref.cli.method_options import (
+    add_method,
+    add_parameters,
+    add_preset,
+    chosen_params,
+)
 from stylit_ref.cli.methods import offer_of
 from stylit_ref.cli.parameter_options import parsed
 from stylit_ref.cli.parser import Parser
@@ -21,7 +26,10 @@ leads to, and those of all textures."""
 
 _COMMANDS = "run", "texture"
 
-_COMPILED_FOR = "patch_width", "vote_outliers", "schedule"
+_COMPILED_FOR = (
+    "patch_width", "vote_outliers", "schedule",
+    "spacing", "mu", "scale_space", "means", "depth", "packing", "dense_finish",
+)  # fmt: skip
 """Parameters that decide which kernels a run calls."""
 
 
@@ -37,6 +45,7 @@ def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
         "--only", choices=_COMMANDS, help="compile for this command alone (default: for both)"
     )
     add_method(parser)
+    add_preset(parser)
     add_parameters(parser, _COMPILED_FOR)
     parser.add_argument(
         "--guide-channels", type=parsed(GUIDE_CHANNELS), default=SIX_GUIDES,

@@ -59,7 +59,7 @@ def check_style(style: ArrayLike, size: tuple[int, int]) -> NDArray[np.uint8]:
 def check_labels(
     labels: ArrayLike | None, size: tuple[int, int], name: str
 ) -> NDArray[np.uint8] | None:
-    """(height, width) uint8 of a size, None, or InputError."""
+    """A copy, (height, width) uint8 of a size; None; or InputError."""
     if labels is None:
         return None
     labels = as_array(labels, name)
@@ -69,7 +69,7 @@ def check_labels(
             f"each of {size[1]} x {size[0]} pixels",
             parameter=name,
         )
-    return np.ascontiguousarray(labels)
+    return labels.copy()
 
 
 def check_weights(weights: ArrayLike | None, channels: int) -> tuple[int, ...]:

@@ -158,7 +158,7 @@ class Session:
         guides : (height, width, channels) uint8
             B, packed as A is.
         labels : (height, width) uint8, optional
-            Needed if the source has some, and none of its own.
+            Each of them must be one of the source. Without them, those of the source do not count.
 
         Raises
         ------
@@ -255,11 +255,10 @@ class Session:
         """
         with self._turn():
             exemplar, target = self._needs_exemplar(), self._needs_target()
-            if seed is not None:
-                check_seed(seed)
-                self.seed = seed
-            if self.seed != self._seed_of_kept:
-                self._kept = None
+            if seed is None:
+                seed = self.seed
+            check_seed(seed)
+            kept = self._kept if seed == self._seed_of_kept else None
             if warm and not self._has_frame:
                 raise InputError(
                     "is true, but there is no frame to start from; begin with a cold one",
@@ -267,7 +266,7 @@ class Session:
                 )
             self._stop[0] = 0
             levels = self.params.levels
-            top = 0 if warm else levels - 1 if self._kept is None else self._kept - 1
+            top = 0 if warm else levels - 1 if kept is None else kept - 1
             nnf = [np.empty(grid, np.int32) for grid in target.grids[: top + 1]]
             nnf += self._nnf[top + 1 :]
             with self._threads_for((warm, top)):
@@ -276,20 +275,19 @@ class Session:
                         if warm:
                             nnf[0][:] = self._nnf[0]
                         else:
-                            start_level(exemplar, nnf, level, self.seed)
+                            start_level(exemplar, nnf, level, seed)
                         # The coarser levels of a warm frame are those of another target.
                         known = nnf[:1] if warm else nnf
-                        refine(
-                            exemplar, target, self._refinement, known, level, self.seed, self._stop
-                        )
+                        refine(exemplar, target, self._refinement, known, level, seed, self._stop)
                     self._heed_cancel()
                 dense = self._dense_of(nnf[0]) if self.params.dense_finish else None
                 picture = self._blended(nnf[0]) if dense is None else self._voted(dense)
                 self._heed_cancel()
             self._nnf, self._has_frame, self._dense = nnf, True, dense
+            self.seed = seed
             if not warm:
                 self._kept = self._refinement.first_level_of_guides_alone
-                self._seed_of_kept = self.seed
+                self._seed_of_kept = seed
             return picture
 
     def replay(self) -> NDArray[np.uint8]:

@@ -297,3 +297,18 @@ def test_a_source_may_have_other_channels_while_there_is_no_target():
     session.set_exemplar(many.guides, many.style)
     session.set_target(many.target)
     assert np.array_equal(session.frame(), make_session(many, with_labels=False).frame())
+
+
+def test_a_refused_frame_keeps_the_seed():
+    session = make_session(make_case(), seed=3)
+    with pytest.raises(InputError, match="no frame to start from"):
+        session.frame(warm=True, seed=5)
+    assert session.seed == 3
+
+
+def test_labels_are_those_that_were_given():
+    case = make_case()
+    session = make_session(case)
+    picture = session.frame()
+    case.labels[:] = case.target_labels[:] = 0
+    assert np.array_equal(session.frame(), picture)
