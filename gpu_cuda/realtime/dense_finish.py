@@ -75,12 +75,13 @@ def vote_kernel(nnf, style, out, radius):
     before, after = max(x - radius, 0), min(x + radius, width - 1)
     count = (below - above + 1) * (after - before + 1)
     for c in range(3):
-        total = 0
+        total = np.uint32(0)
         for a in range(above, below + 1):
             for b in range(before, after + 1):
                 from_y = row_of(nnf[a, b]) + y - a + style.border
                 from_x = column_of(nnf[a, b]) + x - b + style.border
-                total += style.values[(from_y * style.stride + from_x) * STYLE_LANES + c]
+                at = (from_y * style.stride + from_x) * STYLE_LANES + c
+                total += np.uint32(style.values[at])
         out[y, x, c] = mean_of(total, count)
 
 
