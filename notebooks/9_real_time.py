@@ -69,8 +69,8 @@ plt.show()
 # ## Fewer bytes
 #
 # These are 21 bytes of a pixel. On a stage with a red object and white ground most of them say
-# the same twice: green is blue, and a highlight is grey. Ten are left (4.2.2), and the three
-# masks become a *label*: paint must not go from one to another.
+# the same twice: green is blue, and a highlight is grey. Ten are left (4.2.2), and the two
+# masks become three *labels*: paint must not go from one to another.
 
 # %%
 features, labels = pack(packing, source)
@@ -109,8 +109,8 @@ plt.show()
 # ## Figure 17: whom to listen to
 #
 # $E = (1 - \mu)\, |A(p) - B(q)|^2 + \mu\, |A'(p) - B'(q)|^2$. On coarse levels guides alone
-# decide. The thesis ends with the style alone on the finest two. Ours keeps the guides there,
-# with a weight.
+# decide. The thesis ends with the style alone on the finest two. `best` keeps the guides there,
+# with a weight; `quick` leaves them out at the finest alone.
 
 # %%
 fig, place = plt.subplots(figsize=(6, 2.5), layout="constrained")

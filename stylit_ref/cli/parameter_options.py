@@ -54,4 +54,6 @@ def _shown(value):
         return "none"
     if isinstance(value, bool):
         return "yes" if value else "no"
+    if isinstance(value, tuple):
+        return ",".join(f"{each:g}" for each in value)
     return f"{value:g}" if isinstance(value, float) else value

@@ -71,7 +71,7 @@ class RealtimeParams:
 
     patch_width: int = parameter(5, Integer(3, 13, odd=True), "w, pixels along a patch")
     spacing: int | None = parameter(
-        None, Optional(Integer(2, 13)), "pixels between entries of the grid (default: (w + 1) / 2)"
+        None, Optional(Integer(2, 13)), "pixels between entries of the grid; none is (w + 1) / 2"
     )
     levels: int = parameter(6, Integer(1, 12), "levels of the pyramid")
     mu: tuple[int, ...] = parameter(

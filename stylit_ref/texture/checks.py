@@ -115,8 +115,8 @@ def check_exemplar_sizes(
     """Refuse a field of other exemplars; there may be more than it knows."""
     if len(images) < len(sizes):
         raise InputError(
-            f"was made from {len(sizes)} exemplars, and {len(images)} was given; give all, in the "
-            "same order",
+            f"was made from {len(sizes)} exemplars, but got {len(images)}; give all, in the same "
+            "order",
             parameter="start",
         )
     for number, ((height, width), image) in enumerate(zip(sizes, images, strict=False), 1):

@@ -249,7 +249,7 @@ def test_threads_wait_for_each_other():
         (lambda s, c: s.set_target(c.target, c.target_labels + 1), "have 1 in the target"),
         (lambda s, c: s.set_target(c.target, c.target_labels[1:]), "target_labels has the shape"),
         (lambda s, c: s.set_weights((1, 2)), "weights must be 10 integers"),
-        (lambda s, c: s.set_weights((129,) * 10), "weights make a weight of"),
+        (lambda s, c: s.set_weights((129,) * 10), "weights give a weight of"),
         (lambda s, c: s.set_exemplar(c.guides[..., :4], c.style), "begin a new Session"),
         (lambda s, c: setattr(s, "nnf", np.zeros((2, 2, 2), np.int32)), "nnf has the shape"),
         (lambda s, c: s.frame(seed=-1), "seed is -1"),

@@ -69,7 +69,7 @@ def test_other_exemplars_are_refused():
     field = synthesize_texture(EXEMPLARS, SIZE, quick(iterations=1)).field
     with pytest.raises(InputError, match="start was made from an exemplar 1 of 48 x 48 pixels, "):
         synthesize_texture(EXEMPLARS[::-1], SIZE, quick(), start=field)
-    with pytest.raises(InputError, match="start was made from 2 exemplars, and 1 was given"):
+    with pytest.raises(InputError, match="start was made from 2 exemplars, but got 1"):
         synthesize_texture(EXEMPLARS[:1], SIZE, quick(), start=field)
 
 

@@ -67,8 +67,8 @@ def lane_weights(
     guides, style = term_weights(mu, guide_weights, terms)
     if max(*guides, style) > LARGEST_WEIGHT:
         raise InputError(
-            f"make a weight of {max(*guides, style)} of at most {LARGEST_WEIGHT} with mu = {mu} / "
-            f"{MU_ONE}; use smaller ones, or ones with a common divisor",
+            f"give a weight of {max(*guides, style)} where mu is {mu} / {MU_ONE}; it must be at "
+            f"most {LARGEST_WEIGHT}; use smaller ones, or ones with a common divisor",
             parameter="weights",
         )
     weights = np.zeros(lanes, np.int16)
