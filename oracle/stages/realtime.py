@@ -7,16 +7,15 @@ from oracle.stages.realtime_level import (
     LEVEL,
     grid_of,
     level_of,
-    packed,
     params_of,
     style_image,
-    unpacked,
 )
 from oracle.stages.stage import Stage
 from stylit_ref.machine.vector_patch import STYLE_LANES
 from stylit_ref.randomness.random_stream import REALTIME_NNF, REALTIME_SEARCH, random_stream
 from stylit_ref.realtime.exemplar import Exemplar
 from stylit_ref.realtime.formulae.feature_distance import term_weights
+from stylit_ref.realtime.formulae.packed_nnf import entries_of, places_of
 from stylit_ref.realtime.layout import Layout
 from stylit_ref.realtime.packing import PrincipalPacking, StagePacking, UnpackedStage, pack
 from stylit_ref.realtime.passes.image import Image, interior, make_image, whole
@@ -70,7 +69,7 @@ def _random_nnf(passes, parameters, arrays):
     stream = random_stream(parameters["seed"], REALTIME_NNF, parameters["level"])
     size = parameters["source_height"], parameters["source_width"]
     passes.random_nnf(nnf, *size, parameters["patch_width"] // 2, stream)
-    return {"nnf": unpacked(nnf)}
+    return {"nnf": places_of(nnf)}
 
 
 def _weights(_, parameters, arrays):
@@ -133,7 +132,7 @@ def _energy(passes, parameters, arrays):
 def _search(passes, parameters, arrays):
     level = level_of(passes, parameters, arrays)
     layout = level.exemplar.layout
-    lanes, nnf = layout.lanes_read(0), packed(arrays["nnf"])
+    lanes, nnf = layout.lanes_read(0), entries_of(arrays["nnf"])
     guides, style, _ = level.target.read_at(0)
     stream = random_stream(
         parameters["seed"], REALTIME_SEARCH, parameters["level"], parameters["iteration"],
@@ -143,7 +142,7 @@ def _search(passes, parameters, arrays):
         nnf, level.exemplar.read_at(0), guides, style, level.refinement.by_level[0],
         grid_of(level), stream, parameters["half"], parameters["radius"], np.zeros(1, np.uint8),
     )  # fmt: skip
-    return {"nnf": unpacked(nnf)}
+    return {"nnf": places_of(nnf)}
 
 
 def _blend(passes, parameters, arrays):
@@ -152,17 +151,17 @@ def _blend(passes, parameters, arrays):
     height, width = parameters["height"], parameters["width"]
     picture = np.empty((height, width, 3), np.uint8)
     blend = passes.make_blend(params.patch_width, params.step, 3)
-    blend(packed(arrays["nnf"]), style, Image(picture.reshape(-1), width, 0, height, width))
+    blend(entries_of(arrays["nnf"]), style, Image(picture.reshape(-1), width, 0, height, width))
     return {"picture": picture}
 
 
 def _upsample_nnf(passes, parameters, arrays):
     nnf = np.empty((parameters["rows"], parameters["columns"]), np.int32)
     passes.upsample_nnf(
-        packed(arrays["nnf"]), nnf, parameters["source_height"], parameters["source_width"],
+        entries_of(arrays["nnf"]), nnf, parameters["source_height"], parameters["source_width"],
         parameters["patch_width"] // 2, parameters["spacing"],
     )  # fmt: skip
-    return {"nnf": unpacked(nnf)}
+    return {"nnf": places_of(nnf)}
 
 
 def _upsample_picture(passes, parameters, arrays):

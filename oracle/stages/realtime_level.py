@@ -77,13 +77,3 @@ def style_image(passes, style, layout: Layout) -> Image:
     image = make_image(*style.shape[:2], layout.border, STYLE_LANES)
     fill_style(passes, style, image)
     return image
-
-
-def packed(nnf):
-    """An NNF (..., 2) as the passes take it."""
-    return np.ascontiguousarray(nnf[..., 0] << 16 | nnf[..., 1], np.int32)
-
-
-def unpacked(entries):
-    """An NNF of the passes as y and x."""
-    return np.stack([entries >> 16, entries & 0xFFFF], axis=-1).astype(np.int32)

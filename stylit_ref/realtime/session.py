@@ -24,6 +24,7 @@ from stylit_ref.realtime.checks import (
 )
 from stylit_ref.realtime.exemplar import Exemplar
 from stylit_ref.realtime.formulae.grid import first_centre, last_centre
+from stylit_ref.realtime.formulae.packed_nnf import entries_of, places_of
 from stylit_ref.realtime.layout import Layout
 from stylit_ref.realtime.params import RealtimeParams, as_realtime_params
 from stylit_ref.realtime.passes.image import Image
@@ -77,6 +78,7 @@ class Session:
         self._passes = passes
         self._stop = np.zeros(1, np.uint8)
         self._exemplar: Exemplar | None = None
+        self._refinement: Refinement | None = None
         self._target: Target | None = None
         self._viewed: Target | None = None  # what a caller writes to while the target is whole
         self._nnf: list[NDArray[np.int32]] = []
@@ -324,8 +326,7 @@ class Session:
                     "compares no patches, so there is no dense NNF; leave it out",
                     parameter="scale_space",
                 )
-            dense = self._finished()
-            return np.stack([dense >> 16, dense & 0xFFFF], -1).astype(np.int32)
+            return places_of(self._finished())
 
     def cancel(self) -> None:
         """End a frame that another thread computes, at once, with :class:`FrameCancelledError`."""
@@ -339,8 +340,7 @@ class Session:
         """
         with self._turn():
             self._needs_frame()
-            entries = self._nnf[0]
-            return np.stack([entries >> 16, entries & 0xFFFF], -1).astype(np.int32)
+            return places_of(self._nnf[0])
 
     @nnf.setter
     def nnf(self, nnf: NDArray[np.int32]) -> None:
@@ -353,7 +353,7 @@ class Session:
             )
             nnf = check_nnf(nnf, target.grids[0], first, last)
             levels = self._nnf or [np.zeros(grid, np.int32) for grid in target.grids]
-            self._nnf = [nnf[..., 0] << 16 | nnf[..., 1], *levels[1:]]
+            self._nnf = [entries_of(nnf), *levels[1:]]
             self._has_frame, self._dense = True, None
 
     @contextmanager
@@ -450,7 +450,7 @@ class Session:
             )
 
     def _weights_for(self, channels):
-        refinement = getattr(self, "_refinement", None)
+        refinement = self._refinement
         is_for_these = refinement is not None and len(refinement.weights) == channels
         return refinement.weights if is_for_these else (1,) * channels
 

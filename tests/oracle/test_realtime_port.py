@@ -1,14 +1,11 @@
 """A port of the real-time method from its text alone passes; mistakes are found in stages."""
 
-import re
-import shutil
 from pathlib import Path
 
 import naive_realtime
 import pytest
+from mistakes import assert_found, first_failure
 
-from oracle.check import check
-from oracle.compare import FAILED
 from oracle.families import REALTIME
 from oracle.ports import ModulePort
 
@@ -16,16 +13,10 @@ NAIVE = Path(naive_realtime.__file__).parent
 VERSION = REALTIME.versions[-1]
 
 
-def first_failure(port):
-    """The first case that fails, if any does."""
-    outcomes = check(port, VERSION)
-    return next((outcome for outcome in outcomes if outcome.status == FAILED), None)
-
-
 @pytest.mark.slow
 def test_a_port_written_from_the_text_alone_gives_the_same():
     assert not any("stylit_ref" in file.read_text(encoding="utf-8") for file in NAIVE.glob("*.py"))
-    assert first_failure(ModulePort("naive_realtime")) is None
+    assert first_failure(ModulePort("naive_realtime"), VERSION) is None
 
 
 MISTAKES = {
@@ -202,13 +193,5 @@ MISTAKES = {
 @pytest.mark.slow
 @pytest.mark.parametrize("mistake", MISTAKES)
 def test_a_mistake_is_found_at_its_stage(mistake, tmp_path, monkeypatch):
-    right, wrong, stage = MISTAKES[mistake]
     name = f"mistaken_realtime_{list(MISTAKES).index(mistake)}"
-    shutil.copytree(NAIVE, tmp_path / name, ignore=shutil.ignore_patterns("__pycache__"))
-    sections = sorted((tmp_path / name).glob("spec_*.py"))
-    file = next(file for file in sections if right in file.read_text(encoding="utf-8"))
-    file.write_text(file.read_text(encoding="utf-8").replace(right, wrong, 1), encoding="utf-8")
-    monkeypatch.syspath_prepend(tmp_path)
-    found = first_failure(ModulePort(name))
-    assert found.stage == stage
-    assert re.search(r"it must be .*(differ\)|\))$", found.difference.message)
+    assert_found(NAIVE, name, MISTAKES[mistake], VERSION, tmp_path, monkeypatch)

@@ -5,11 +5,12 @@ from fnmatch import fnmatchcase
 
 import numpy as np
 import pytest
+from kept_cases import assert_made_again
 
-from oracle.cases import read_cases, write_input
+from oracle.cases import read_cases
 from oracle.check import check
 from oracle.compare import PASSED
-from oracle.families import NEWEST, STYLIZATION, folder_of, spec_of, stages_of
+from oracle.families import NEWEST, STYLIZATION, spec_of, stages_of
 from oracle.make.stylization import stylization_cases
 from oracle.stages.passes_port import PassesPort
 
@@ -54,20 +55,7 @@ def test_cases_are_awkward():
 
 @pytest.mark.slow
 def test_cases_are_what_this_library_makes_of_them(tmp_path):
-    made = {case.title: case for case in stylization_cases(NEWEST)}
-    kept = {case.title: case for case in read_cases(NEWEST)}
-    assert made.keys() == kept.keys()
-    for title, case in made.items():
-        write_input(case, tmp_path)
-        description = folder_of(NEWEST) / title / "case.json"
-        assert (tmp_path / "case.json").read_bytes() == description.read_bytes()
-        for ours, theirs in (
-            (case.arrays, kept[title].arrays),
-            (case.expected, kept[title].expected),
-        ):
-            assert ours.keys() == theirs.keys()
-            for name, array in ours.items():
-                np.testing.assert_array_equal(array, theirs[name], err_msg=f"{title} {name}")
+    assert_made_again(stylization_cases(NEWEST), NEWEST, tmp_path)
 
 
 @pytest.mark.slow

@@ -2,6 +2,7 @@
 
 import numpy as np
 from numba import njit
+from numpy.typing import NDArray
 
 LARGEST_SIDE = (1 << 15) - 1
 """A side of more pixels does not fit an entry."""
@@ -23,3 +24,13 @@ def row_of(entry: int) -> int:
 def column_of(entry: int) -> int:
     """X."""
     return np.int64(entry & 0xFFFF)
+
+
+def places_of(entries: NDArray[np.int32]) -> NDArray[np.int32]:
+    """Y and x of entries of any shape, along a last axis."""
+    return np.stack([entries >> 16, entries & 0xFFFF], -1).astype(np.int32)
+
+
+def entries_of(places: NDArray[np.int32]) -> NDArray[np.int32]:
+    """What :func:`places_of` takes apart."""
+    return places[..., 0] << 16 | places[..., 1]
