@@ -142,6 +142,11 @@ class Packing:
             )
         place[:] = style
 
+    def guide(self, texture: NDArray[np.uint8], number: int) -> NDArray[np.uint8]:
+        """View of a guide in a packed texture; -1 is the last."""
+        first = self.guide_channels[number]
+        return texture[:, :, first : first + self.guide_sizes[number]]
+
     def style(self, texture: NDArray[np.uint8]) -> NDArray[np.uint8]:
         """View of a packed texture's style channels."""
         return texture[:, :, self.style_channel : self.style_channel + self.style_channels]

@@ -161,6 +161,11 @@ class Level:
         self.textures = self.textures._replace(target=self.target.texture)
         self.update_similarity()
 
+    def set_guide(self, number: int, image: NDArray[np.uint8]) -> None:
+        """Set a guide of the target, (H_B, W_B, channels) uint8; then call ``set_style``."""
+        self.target.set_guide(number, image)
+        self.textures = self.textures._replace(target=self.target.texture)
+
     def init_occurrence_map(self) -> None:
         """InitOccurrenceMap (2.3): compute Ω and W of the current NNF."""
         self.passes.occurrence_map(self.nnf, self.omega, self.omega_sums, self.patch_width)

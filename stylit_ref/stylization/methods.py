@@ -23,6 +23,9 @@ class Method:
         The fields of :class:`stylit_ref.Params` that this method uses and some others do not.
     has_guide_map : bool
         Whether a level has a guide map (5.2).
+    chooses_targets : bool
+        Whether source patches choose among target patches, so that an error counts which only the
+        target patch decides.
     schedules : tuple of str
         The schedules that it can run with (:mod:`stylit_ref.stylization.schedules`).
     gpu_schedules, gpu_backends : tuple of str
@@ -34,6 +37,7 @@ class Method:
     search: Callable[..., Iterator[SearchStep]]
     heeds: tuple[str, ...]
     has_guide_map: bool = False
+    chooses_targets: bool = False
     schedules: tuple[str, ...] = ("propose_commit",)
     gpu_schedules: tuple[str, ...] = ("propose_commit",)
     gpu_backends: tuple[str, ...] = ("cuda", "cuda:shared_memory")
@@ -67,6 +71,7 @@ METHODS = {
             "keeps more of the painting's detail, in five times the time",
             stylit.search,
             heeds=("budget", "fixed_share", "error_limit"),
+            chooses_targets=True,
             gpu_backends=(),
         ),
     )

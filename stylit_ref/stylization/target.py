@@ -98,6 +98,19 @@ class TargetLevel:
         self.packing.set_style(texture, np.pad(image, edges, mode="edge"))
         self.texture = self.passes.upload(texture)
 
+    def set_guide(self, number: int, image: NDArray[np.uint8]) -> None:
+        """Set a guide to an image, (H_B, W_B, channels) uint8; -1 is the last guide."""
+        radius = self.patch_width // 2
+        texture = self.passes.download(self.texture)
+        edges = (radius, radius), (radius, radius), (0, 0)
+        self.packing.guide(texture, number)[:] = np.pad(image, edges, mode="edge")
+        self.texture = self.passes.upload(texture)
+        if "moments" in self.__dict__:  # else they are yet to be computed
+            self.passes.patch_moments(
+                self.texture, self.moments, self.patch_width, 0,
+                self.packing.style_channel, self.packing.style_channels,
+            )  # fmt: skip
+
 
 class Target:
     """The guides of a target, and their pyramid.

@@ -1,0 +1,73 @@
+"""Pull a frame towards its neighbours: fold their pictures into its B' before a search."""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stylit_ref.stylization.level import Level
+from stylit_ref.views import passes
+from stylit_ref.views.frames import Motion
+
+
+class Neighbour(NamedTuple):
+    """A picture that pulls at a frame.
+
+    Attributes
+    ----------
+    places : (H, W, 2) int32
+        Where each pixel of the frame lies in the picture; -1 where the picture does not show it.
+    picture : (H, W, n) uint8
+    """
+
+    places: NDArray[np.int32]
+    picture: NDArray[np.uint8]
+
+
+def places_of(motion: Motion, depth: int) -> NDArray[np.int32]:
+    """Where each pixel of a level lies in the neighbour.
+
+    Parameters
+    ----------
+    motion : Motion
+    depth : int
+        How many levels are finer.
+
+    Returns
+    -------
+    (H >> depth, W >> depth, 2) int32
+        (y, x), or -1 where the neighbour does not show the point.
+    """
+    height, width = motion.visible.shape
+    places = np.empty((height >> depth, width >> depth, 2), np.int32)
+    passes.shift_map(motion.field, motion.visible, depth, places)
+    return places
+
+
+def pull(level: Level, neighbours: Sequence[Neighbour], weight: int, *, with_spread: bool) -> None:
+    """Replace B' by M, for the next search; the next vote makes B' again.
+
+    Parameters
+    ----------
+    level : Level
+        After a vote.
+    neighbours : sequence of Neighbour
+        Without one, nothing changes.
+    weight : int
+        λ_c of each, in units of 1/256.
+    with_spread : bool
+        Whether the level's last guide takes the spread
+        (:func:`stylit_ref.views.packing.coherent_packing`).
+    """
+    if not neighbours:
+        return
+    own = np.ascontiguousarray(level.style)
+    guides = np.empty((len(neighbours), *own.shape), np.uint8)
+    for neighbour, guide in zip(neighbours, guides, strict=True):
+        passes.shift_picture(neighbour.picture, neighbour.places, own, guide)
+    mixed, spreads = np.empty_like(own), np.empty((*own.shape[:2], 1), np.uint8)
+    passes.fold(own, guides, np.full(len(neighbours), weight, np.int64), mixed, spreads)
+    if with_spread:
+        level.set_guide(-1, spreads)
+    level.set_style(mixed)
