@@ -1,7 +1,6 @@
 """Stylize frames that pull at each other (3.2), step by step."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,23 +11,6 @@ from stylit_ref.views.coherence import Neighbour, places_of, pull
 from stylit_ref.views.formulae.fold import fixed_weight
 from stylit_ref.views.frames import Edges, neighbours_of
 from stylit_ref.views.params import PARALLEL, SEQUENTIAL, Coherence
-
-
-@dataclass(frozen=True)
-class FrameStep:
-    """Progress of a coherent run.
-
-    Attributes
-    ----------
-    frame, frames : int
-        The frame that has advanced, from 0, and how many there are.
-    step : Step
-        Progress of the frame.
-    """
-
-    frame: int
-    frames: int
-    step: Step
 
 
 class CoherentSynthesis:
@@ -68,12 +50,12 @@ class CoherentSynthesis:
             neighbours_of(edges, frame) if self._weight else [] for frame in range(len(self.runs))
         ]
 
-    def run(self) -> Iterator[FrameStep]:
+    def run(self) -> Iterator[tuple[int, Step]]:
         """Run all frames in the order of the coherence.
 
         Yields
         ------
-        FrameStep
+        tuple of int and Step
             When it ends, the level of every run is the finest, and finished.
         """
         if self._coherence.order == SEQUENTIAL:
@@ -151,7 +133,7 @@ class CoherentSynthesis:
 
     def _steps(self, frame):
         for step in self.runs[frame].search():
-            yield FrameStep(frame, len(self.runs), step)
+            yield frame, step
 
 
 def halved(picture: NDArray[np.uint8], run: Synthesis) -> NDArray[np.uint8]:

@@ -12,7 +12,7 @@ from stylit_ref.views.coherence import Neighbour, pull
 from stylit_ref.views.frames import Motion, grid_pairs, sequence_pairs
 from stylit_ref.views.params import Coherence
 from stylit_ref.views.problem import make_coherent_synthesis
-from stylit_ref.views.stylize_views import stylize_views
+from stylit_ref.views.stylize_views import stylize_views as stylized_views
 
 METHODS = ("ref", "guide_map", "stylit")
 ORDERS = ("parallel", "sweeps", "sequential")
@@ -32,6 +32,12 @@ def sliding_scene(frames=3, **sizes):
 
     edges = {pair: motion(*pair) for pair in sequence_pairs(frames)}
     return style, sources, guides, edges
+
+
+def stylize_views(style, sources, guides, edges, params=None, coherence=None, **others):
+    """All frames, in the order of their numbers."""
+    results = stylized_views(style, sources, guides, params, coherence, edges=edges, **others)
+    return sorted(results, key=lambda result: result.frame)
 
 
 def difference(results, edges):
