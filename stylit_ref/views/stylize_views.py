@@ -1,20 +1,24 @@
 """``stylize_frames`` and ``stylize_views``: from images and motion to coherent pictures."""
 
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import nullcontext
 from dataclasses import dataclass
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import numpy as np
 from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
-from stylit_ref.machine.thread_count import using_threads
 from stylit_ref.stylization.params import Params
 from stylit_ref.views.frame_step import FrameStep
 from stylit_ref.views.frames import Edges
 from stylit_ref.views.params import SEQUENCE, Coherence
-from stylit_ref.views.problem import make_coherent_synthesis
+from stylit_ref.views.problem import make_problem
 from stylit_ref.views.shot import ArrayShot, Shot
+from stylit_ref.views.walk import Walk
+from stylit_ref.views.work_folder import WorkFolder
+from stylit_ref.views.workbench import Workbench
 
 Frames = Shot | Sequence[Sequence[NDArray[np.uint8]]]
 """A shot, or the guides of every frame."""
@@ -129,35 +133,14 @@ def stylize_views(
         shot = frames
     else:
         shot = ArrayShot(frames, edges)
-    synthesis = make_coherent_synthesis(
-        style,
-        source_guides,
-        [shot.guides(frame) for frame in range(len(shot.names))],
-        {pair: shot.motion(*pair) for pair in shot.pairs},
-        params,
-        coherence,
-        seed=seed,
-    )
-    return _results(shot, synthesis, np.ndim(style) == 2, threads, progress)
+    problem = make_problem(style, source_guides, shot, params, coherence, seed=seed)
+    bench = Workbench(problem)
+    return _results(problem, bench, work, np.ndim(style) == 2, threads, progress)
 
 
-def _results(shot, synthesis, is_grey, threads, progress):
-    with using_threads(threads):
-        for frame, step in synthesis.run():
-            if progress:
-                votes = synthesis.runs[frame].votes
-                progress(
-                    FrameStep(
-                        frame,
-                        len(shot.names),
-                        shot.names[frame],
-                        step.level,
-                        step.levels,
-                        step.vote,
-                        votes,
-                        step.done,
-                    )
-                )
-    for frame, run in enumerate(synthesis.runs):
-        image = run.level.style[:, :, 0] if is_grey else run.level.style
-        yield FrameResult(frame, shot.names[frame], np.ascontiguousarray(image), run.level.nnf)
+def _results(problem, bench, work, is_grey, threads, progress):
+    with TemporaryDirectory() if work is None else nullcontext(work) as folder:
+        walk = Walk(problem, WorkFolder(folder), bench, threads)
+        for frame, state in walk.run(progress):
+            image = state.picture[:, :, 0] if is_grey else state.picture
+            yield FrameResult(frame, problem.shot.names[frame], image, state.nnf)
