@@ -1,4 +1,4 @@
-"""The thesis' claims about time: milliseconds on the processor of one thread, least of many."""
+"""The thesis' claims about time: milliseconds on the processor of one thread, median of many."""
 
 import numpy as np
 

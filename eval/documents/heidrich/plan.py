@@ -7,6 +7,7 @@ from itertools import chain, combinations
 
 from eval.documents.heidrich.dense import Dense
 from eval.documents.heidrich.frame_times import FrameTimes
+from eval.documents.heidrich.hand_times import HandTimes
 from eval.documents.heidrich.outlook import FewestBuffers, Hybrid
 from eval.documents.heidrich.stage import STYLES
 from eval.methods.lit_sphere import LitSphere
@@ -84,7 +85,10 @@ class Preset:
     rounds: int
 
 
-PRESETS = {"quick": Preset(("oil",), 7), "full": Preset(STYLES, 50)}
+PRESETS = {"quick": Preset(("oil",), 25), "full": Preset(STYLES, 50)}
+
+ROUNDS_OF_A_HAND = 50
+"""Turns in which a hand's waits are measured: few presets take part."""
 
 
 @dataclass(frozen=True)
@@ -102,6 +106,8 @@ class Plan:
     sides : tuple of int
     large : callable, optional
         The scene of a style at the thesis' size, if ``shown`` gives smaller ones.
+    turning : Job, optional
+        The run of the turning target, if it is rendered.
     """
 
     name: str
@@ -110,6 +116,7 @@ class Plan:
     timed: Callable[[int], Scene]
     sides: tuple[int, ...] = SIDES
     large: Callable[[str], Scene] | None = None
+    turning: Job | None = None
 
     @cached_property
     def _scene(self):
@@ -212,6 +219,10 @@ class Plan:
         """Times of what the outlook asks for."""
         return self._times(side, "hybrid", [_realtime_method("optimized", "optimized"), Hybrid()])
 
+    def hand_times(self, side):
+        """What a hand waits for."""
+        return Job(self._timed(side), HandTimes(PRODUCTS, ROUNDS_OF_A_HAND))
+
     def _times(self, side, name, methods):
         return Job(self._timed(side), FrameTimes(name, tuple(methods), self.preset.rounds))
 
@@ -238,7 +249,7 @@ class Plan:
             for side in self.sides
             for make in (
                 self.times, self.times_of_savings, self.times_of_widths, self.times_of_depths,
-                self.times_of_few,
+                self.times_of_few, self.hand_times,
             )
         ]  # fmt: skip
         sheet = [self.picture(style, name) for style in STYLES for name in METHODS]
@@ -251,6 +262,8 @@ class Plan:
                 for style in STYLES
                 for name in THESIS + PRODUCTS
             ]
+        if self.turning is not None:
+            tasks.append(Task(self.turning, ()))
         return [*tasks, *pictures.values()]
 
 

@@ -69,6 +69,37 @@ def table_1(plan):
     return pd.DataFrame(rows).round(2)
 
 
+def hand_times(plan):
+    """What a hand waits for, with our presets on all threads.
+
+    Returns
+    -------
+    pandas.DataFrame
+        ``preset``, ``waited for``, and the median and the least milliseconds by side.
+    """
+    columns = {}
+    for side in plan.sides:
+        history = stored(plan.hand_times(side)).history
+        columns["preset"], columns["waited for"] = history["preset"], history["waited_for"]
+        columns[f"{side}², median [ms]"] = history["median"].round(1)
+        columns[f"{side}², least [ms]"] = history["least"].round(1)
+    return pd.DataFrame(columns)
+
+
+def turning(plan):
+    """How calm the turning target is, by preset and by how its frames are made.
+
+    Returns
+    -------
+    pandas.DataFrame
+        ``preset``, ``frames``, ``flicker`` in 8-bit steps, and the last frame's energy over that of
+        a cold one.
+    """
+    history = stored(plan.turning).history.drop(columns="holds")
+    history = history.rename(columns={"rise": "energy, over cold"})
+    return history.round({"flicker": 2, "energy, over cold": 3})
+
+
 def others(plan):
     """The times that section 4.2 quotes of others, and ours for a megapixel.
 
