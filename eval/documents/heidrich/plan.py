@@ -32,12 +32,6 @@ THESIS = "simple", "optimized"
 PRODUCTS = "quick", "best"
 METHODS = (*DENSE, *RIVALS, *THESIS, *PRODUCTS)
 
-WIDTHS = (3, 5, 7, 9, 11, 13)
-"""w of the simple method."""
-
-DEPTHS = (1, 2, 3, 4)
-"""D of the optimized one."""
-
 SIDES = (500, 1000)
 """Pixels along the pictures of table 1."""
 
@@ -79,10 +73,16 @@ class Preset:
         Styles of the ablation and of the sweeps.
     rounds : int
         In which frames are timed, in turns.
+    widths : tuple of int
+        w of the simple method.
+    depths : tuple of int
+        D of the optimized one.
     """
 
     studied: tuple[str, ...]
     rounds: int
+    widths: tuple[int, ...] = (3, 5, 7, 9, 11, 13)
+    depths: tuple[int, ...] = (1, 2, 3, 4)
 
 
 PRESETS = {"quick": Preset(("oil",), 25), "full": Preset(STYLES, 50)}
@@ -207,12 +207,12 @@ class Plan:
 
     def times_of_widths(self, side):
         """Times of the simple method as w grows."""
-        methods = [_realtime_method(f"{w}", "simple", patch_width=w) for w in WIDTHS]
+        methods = [_realtime_method(f"{w}", "simple", patch_width=w) for w in self.preset.widths]
         return self._times(side, "w", methods)
 
     def times_of_depths(self, side):
         """Times of the optimized method as D grows."""
-        methods = [_realtime_method(f"{d}", "optimized", depth=d) for d in DEPTHS]
+        methods = [_realtime_method(f"{d}", "optimized", depth=d) for d in self.preset.depths]
         return self._times(side, "D", methods)
 
     def times_of_few(self, side):
@@ -232,8 +232,8 @@ class Plan:
         jobs = []
         for style in self.preset.studied:
             jobs += [self.left_out(style, savings) for savings in LEFT_OUT]
-            jobs += [self.width(style, width) for width in WIDTHS]
-            jobs += [self.depth(style, depth) for depth in DEPTHS] + [self.boxes(style)]
+            jobs += [self.width(style, width) for width in self.preset.widths]
+            jobs += [self.depth(style, depth) for depth in self.preset.depths] + [self.boxes(style)]
             jobs += [self.weighted(style, method, w) for method in THESIS for w in BUFFERS]
             jobs += [self.scheduled(style, schedule) for schedule in SCHEDULES]
             jobs += [self.iterated(style, iterations) for iterations in ITERATIONS]

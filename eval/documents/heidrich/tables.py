@@ -6,7 +6,6 @@ import pandas as pd
 from eval.documents.heidrich.plan import (
     BUFFERS,
     DENSE,
-    DEPTHS,
     ITERATIONS,
     LEFT_OUT,
     METHODS,
@@ -14,7 +13,6 @@ from eval.documents.heidrich.plan import (
     SCHEDULES,
     STYLES,
     THESIS,
-    WIDTHS,
 )
 from eval.documents.heidrich.printed import OTHERS, TABLE_1
 from eval.metrics import NUMBERS
@@ -199,12 +197,12 @@ def ablation(plan):
 
 def widths(plan):
     """The simple method as w grows."""
-    return _sweep(plan, "w", WIDTHS, plan.times_of_widths, plan.width)
+    return _sweep(plan, "w", plan.preset.widths, plan.times_of_widths, plan.width)
 
 
 def depths(plan):
     """The optimized method as D grows."""
-    return _sweep(plan, "D", DEPTHS, plan.times_of_depths, plan.depth)
+    return _sweep(plan, "D", plan.preset.depths, plan.times_of_depths, plan.depth)
 
 
 def _sweep(plan, name, values, times_at, job_of):
