@@ -1,16 +1,24 @@
 """The motion between any two frames of a sequence, from what their files hold."""
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
+from stylit_ref.notes import note
 from stylit_ref.views.frames import Motion
 from stylit_ref.views.motion.composition import composed
 from stylit_ref.views.motion.conventions import FrameMotion
 from stylit_ref.views.motion.inversion import inverted, unhidden
+from stylit_ref.views.motion.silhouettes import along_silhouettes, silhouettes_of
 from stylit_ref.views.motion.visibility import cancelling, same_labels
+
+_WITHOUT_SILHOUETTES = (
+    "neither depth nor IDs of the frames are known, so strokes beside a silhouette move with what "
+    "lies behind them"
+)
 
 
 def motion_between(
@@ -19,7 +27,7 @@ def motion_between(
     motion_of: Callable[[int], FrameMotion | None],
     *,
     depth_of: Callable[[int], NDArray[np.float32] | None] | None = None,
-    labels_of: Callable[[int], NDArray[np.uint32] | None] | None = None,
+    labels_of: Callable[[int], NDArray[np.integer[Any]] | None] | None = None,
 ) -> Motion:
     """The motion from frame ``to`` into frame ``other``.
 
@@ -28,7 +36,9 @@ def motion_between(
 
     What the other frame shows is what the mask of the file says; without a mask, where motion forth
     and back cancels; without motion back, what no other pixel of the frame covers. With IDs, a
-    pixel must also lead to its own ID.
+    pixel must also lead to its own ID. Then strokes beside silhouettes take the motion of what they
+    belong to (:mod:`stylit_ref.views.motion.silhouettes`); a note says so if depth and IDs of the
+    two frames are not known.
 
     Parameters
     ----------
@@ -58,7 +68,16 @@ def motion_between(
     whole = steps[0]
     for motion in steps[1:]:
         whole = composed(whole, motion)
-    return whole
+    here, there = (
+        silhouettes_of(
+            depth_of(frame) if depth_of else None, labels_of(frame) if labels_of else None
+        )
+        for frame in (to, other)
+    )
+    if here is None or there is None:
+        note(_WITHOUT_SILHOUETTES)
+        return whole
+    return along_silhouettes(whole, here, there)
 
 
 def _step(frame, after, motion_of, depth_of, labels_of):

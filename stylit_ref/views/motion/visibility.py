@@ -1,5 +1,7 @@
 """What the other frame shows of a frame's points, where no mask tells it."""
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -31,7 +33,7 @@ def cancelling(motion: Motion, back: Motion) -> NDArray[np.bool_]:
 
 
 def same_labels(
-    motion: Motion, labels: NDArray[np.uint32], other: NDArray[np.uint32]
+    motion: Motion, labels: NDArray[np.integer[Any]], other: NDArray[np.integer[Any]]
 ) -> NDArray[np.bool_]:
     """The pixels that lead to a pixel of the same ID.
 

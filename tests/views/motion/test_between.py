@@ -19,6 +19,7 @@ from stylit_ref.views.motion.between import motion_between
 from stylit_ref.views.motion.composition import composed
 from stylit_ref.views.motion.conventions import FrameMotion
 from stylit_ref.views.motion.inversion import inverted, unhidden
+from stylit_ref.views.motion.silhouettes import along_silhouettes, silhouettes_of
 from stylit_ref.views.motion.visibility import cancelling, same_labels
 
 
@@ -28,6 +29,11 @@ def both(frame):
 
 def forward_only(frame):
     return frame_motion(frame, backward=False)
+
+
+def beside(motion, to, other):
+    """The same, where strokes beside the square move with it."""
+    return along_silhouettes(motion, *(silhouettes_of(depth_of(frame)) for frame in (to, other)))
 
 
 def agrees(found, true):
@@ -45,7 +51,7 @@ def test_both_ways_known(to, other):
 
 
 def test_forward_alone_is_splatted_backwards():
-    found, true = motion_between(1, 0, forward_only, depth_of=depth_of), motion(1, 0)
+    found, true = motion_between(1, 0, forward_only, depth_of=depth_of), beside(motion(1, 0), 1, 0)
     assert np.array_equal(found.visible, true.visible)
     agrees(found, true)
 
@@ -62,9 +68,9 @@ def test_without_depth_only_what_is_contested_is_hidden_beside():
 @pytest.mark.parametrize("depth", [None, depth_of])
 def test_forward_alone_forward(depth):
     found, true = motion_between(0, 1, forward_only, depth_of=depth), motion(0, 1)
-    agrees(found, true)
+    agrees(found, beside(true, 0, 1) if depth else true)
     if depth:
-        assert np.array_equal(found.visible, true.visible)
+        assert np.array_equal(found.visible, beside(true, 0, 1).visible)
 
 
 def test_ids_hide_what_forward_vectors_alone_leave_open():
@@ -75,7 +81,8 @@ def test_ids_hide_what_forward_vectors_alone_leave_open():
 @pytest.mark.parametrize("to_other", [(0, 3), (3, 0)])
 @pytest.mark.parametrize("known", [both, forward_only])
 def test_skipped_frames_are_composed(to_other, known):
-    agrees(motion_between(*to_other, known, depth_of=depth_of), motion(*to_other))
+    found = motion_between(*to_other, known, depth_of=depth_of)
+    agrees(found, beside(motion(*to_other), *to_other))
 
 
 def test_a_mask_of_the_file_is_taken_as_it_is():
@@ -93,7 +100,8 @@ def test_missing_vectors_are_refused():
 
 def test_backward_vectors_of_the_frame_after_serve_where_forward_ones_are_missing():
     files = {1: frame_motion(1, forward=False)}
-    agrees(motion_between(0, 1, files.get, depth_of=depth_of), motion(0, 1))
+    found = motion_between(0, 1, files.get, depth_of=depth_of)
+    agrees(found, beside(motion(0, 1), 0, 1))
 
 
 def test_different_sizes_are_refused():
@@ -192,3 +200,13 @@ def test_unhidden_hides_both_without_depth():
     assert (without <= with_depth).all()
     assert (labels_of(0)[with_depth & ~without] == 2).all()
     assert GROUND != SQUARE
+
+
+def test_a_note_says_that_silhouettes_are_not_known(caplog):
+    with caplog.at_level("INFO", "stylit_ref"):
+        motion_between(0, 1, both)
+        motion_between(1, 2, both)
+        motion_between(0, 1, both, depth_of=depth_of)
+    assert [record.getMessage()[:38] for record in caplog.records] == [
+        "neither depth nor IDs of the frames ar"
+    ]
