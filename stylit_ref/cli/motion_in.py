@@ -111,10 +111,8 @@ def _of_pairs(pattern, numbers, convention, depth, ids):
     for pair, path in files.items():
         first, second = numbers[pair]
         back = pattern.path_of_pair(second, first)
-        both = (ids[first], ids[second]) if {first, second} <= ids.keys() else None
-        found[pair] = VectorsOfPair(
-            path, back if is_there(back) else None, convention, depth.get(first), both
-        )
+        beside = [(files[first], files[second]) if files else None for files in (depth, ids)]
+        found[pair] = VectorsOfPair(path, back if is_there(back) else None, convention, *beside)
     return found
 
 
