@@ -78,16 +78,14 @@ class VectorsOfPair:
     ahead : str
     back : str or None
     convention : str
-    depth : str or None
-        Of the first frame.
-    ids : tuple of 2 str, or None
-        Of both.
+    depth, ids : tuple of 2 str, or None
+        Of both frames.
     """
 
     ahead: str
     back: str | None
     convention: str
-    depth: str | None = None
+    depth: tuple[str, str] | None = None
     ids: tuple[str, str] | None = None
 
     def read(self) -> Motion:
@@ -108,7 +106,7 @@ class VectorsOfPair:
             0,
             1,
             vectors.get,
-            depth_of=_reading({0: self.depth} if self.depth else {}, read_depth),
+            depth_of=_reading(dict(enumerate(self.depth or ())), read_depth),
             labels_of=_reading(dict(enumerate(self.ids or ())), read_ids),
         )
 
@@ -119,7 +117,8 @@ class VectorsOfPair:
     @property
     def files(self) -> list[str]:
         """All of them."""
-        return [path for path in (self.ahead, self.back, self.depth, *(self.ids or ())) if path]
+        others = *(self.depth or ()), *(self.ids or ())
+        return [path for path in (self.ahead, self.back, *others) if path]
 
 
 MotionFiles = VectorsOfFrames | VectorsOfPair

@@ -21,7 +21,7 @@ from stylit_ref.views.motion.conventions import (
 )
 from stylit_ref.views.params import SEQUENTIAL
 
-_NOT_ALONE = "motion_convention", "depth", "ids"
+_NOT_ALONE = "motion_convention", "frame_depth", "ids"
 
 
 def add_motion_options(group: argparse._ArgumentGroup) -> None:
@@ -38,9 +38,9 @@ def add_motion_options(group: argparse._ArgumentGroup) -> None:
         "%(default)s)",
     )  # fmt: skip
     group.add_argument(
-        "--depth", metavar="FRAMES",
+        "--depth", dest="frame_depth", metavar="FRAMES",
         help="depth of the frames in floating point, where farther is larger; it tells what hides "
-        "what",
+        "what, and strokes beside a silhouette then move with what they belong to",
     )  # fmt: skip
     group.add_argument(
         "--ids",
@@ -80,7 +80,7 @@ def find_motion(
     pattern = pattern_of(options.motion, "motion")
     if options.motion_convention != AUTO:
         _check_convention(options.motion_convention)
-    beside = [_beside(options, name, frames) for name in ("depth", "ids")]
+    beside = [_beside(options, name, frames) for name in ("frame_depth", "ids")]
     pairs = [
         (to, other)
         for to, other in sequence_pairs(len(frames))
@@ -111,9 +111,12 @@ def _of_pairs(pattern, numbers, convention, depth, ids):
     for pair, path in files.items():
         first, second = numbers[pair]
         back = pattern.path_of_pair(second, first)
-        both = (ids[first], ids[second]) if {first, second} <= ids.keys() else None
+        depth_of_both, ids_of_both = (
+            (named[first], named[second]) if {first, second} <= named.keys() else None
+            for named in (depth, ids)
+        )
         found[pair] = VectorsOfPair(
-            path, back if is_there(back) else None, convention, depth.get(first), both
+            path, back if is_there(back) else None, convention, depth_of_both, ids_of_both
         )
     return found
 
