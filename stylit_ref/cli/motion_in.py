@@ -40,7 +40,7 @@ def add_motion_options(group: argparse._ArgumentGroup) -> None:
     group.add_argument(
         "--depth", dest="motion_depth", metavar="FRAMES",
         help="depth of the frames in floating point, where farther is larger; it tells what hides "
-        "what",
+        "what, and strokes beside a silhouette then move with what they belong to",
     )  # fmt: skip
     group.add_argument(
         "--ids",
