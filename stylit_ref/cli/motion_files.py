@@ -117,8 +117,8 @@ class VectorsOfPair:
     @property
     def files(self) -> list[str]:
         """All of them."""
-        others = *(self.depth or ()), *(self.ids or ())
-        return [path for path in (self.ahead, self.back, *others) if path]
+        beside = *(self.depth or ()), *(self.ids or ())
+        return [path for path in (self.ahead, self.back, *beside) if path]
 
 
 MotionFiles = VectorsOfFrames | VectorsOfPair

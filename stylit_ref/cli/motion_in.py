@@ -38,9 +38,10 @@ def add_motion_options(group: argparse._ArgumentGroup) -> None:
         "%(default)s)",
     )  # fmt: skip
     group.add_argument(
+        # Not depth, which is a parameter of real time.
         "--depth", dest="frame_depth", metavar="FRAMES",
         help="depth of the frames in floating point, where farther is larger; it tells what hides "
-        "what, and strokes beside a silhouette then move with what they belong to",
+        "what, and strokes beside a silhouette move with what they belong to",
     )  # fmt: skip
     group.add_argument(
         "--ids",
@@ -111,13 +112,8 @@ def _of_pairs(pattern, numbers, convention, depth, ids):
     for pair, path in files.items():
         first, second = numbers[pair]
         back = pattern.path_of_pair(second, first)
-        depth_of_both, ids_of_both = (
-            (named[first], named[second]) if {first, second} <= named.keys() else None
-            for named in (depth, ids)
-        )
-        found[pair] = VectorsOfPair(
-            path, back if is_there(back) else None, convention, depth_of_both, ids_of_both
-        )
+        beside = [(files[first], files[second]) if files else None for files in (depth, ids)]
+        found[pair] = VectorsOfPair(path, back if is_there(back) else None, convention, *beside)
     return found
 
 
