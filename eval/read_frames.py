@@ -21,10 +21,10 @@ def read_frames(scene, style, data, guides=GUIDES, frames=None):
     Parameters
     ----------
     scene : str
-        Name of the scene: its views are ``SCENE/NAME``, motion is ``SCENE/motion/A_to_B.exr``. The
-        view that is painted over is ``SCENE/source``; without it, ``source``.
+        Name of the scene: its views are ``SCENE/NAME``, motion is ``SCENE/motion/A_to_B.exr``. What
+        was painted over is ``sketched_SCENE``; without it, ``source``.
     style : str
-        Name of a style painted over that view, or path of an image.
+        Name of a style painted over that view.
     data : str or Path
         Folder of the data set.
     guides : sequence of str
@@ -48,20 +48,28 @@ def read_frames(scene, style, data, guides=GUIDES, frames=None):
 
 
 def _read(scene, style, manifest, guides, count):
-    source = f"{scene}/source" if f"{scene}/source" in manifest.pieces else "source"
-    beside = (source, f"{scene}/motion")
-    views = [v for v in manifest.pieces if v.startswith(f"{scene}/") and v not in beside][:count]
+    building = f"sketched_{scene.partition('_')[0]}"
+    source = building if building in manifest.pieces else "source"
+    views = [
+        view
+        for view in manifest.pieces
+        if view.startswith(f"{scene}/") and view not in (f"{scene}/motion", f"{scene}/source")
+    ][:count]
     if not views:
         raise InputError(f"{manifest.folder}: holds no views of {scene}; render it with make data")
+    painted = {Path(file).stem: file for file in manifest.pieces[source] if _is_painted(file)}
+    if style not in painted:
+        raise InputError(
+            f"{manifest.folder}: holds no style {style} over {source}; there are "
+            f"{', '.join(painted) or 'none'}"
+        )
 
     def images(view, names):
         return tuple(read_uint8(manifest.path(f"{view}/{name}.png")) for name in names)
 
-    painted = Path(style) if Path(style).is_file() else f"{source}/styles/{style}.png"
-    image = read_uint8(painted if isinstance(painted, Path) else manifest.path(painted))
     return FrameSet(
-        name=f"{scene}_{Path(style).stem}",
-        style=image,
+        name=f"{scene}_{style}",
+        style=read_uint8(manifest.path(painted[style])),
         source_guides=images(source, guides),
         guides=tuple(images(view, guides) for view in views),
         edges=_edges(manifest, scene, [view.rpartition("/")[2] for view in views]),
@@ -69,6 +77,10 @@ def _read(scene, style, manifest, guides, count):
         ids=np.stack([images(view, ["IDMASK"])[0] for view in views]),
         nearness=np.stack([images(view, ["DEPTH"])[0][..., 0] for view in views]),
     )
+
+
+def _is_painted(file):
+    return Path(file).parent.name in ("styles", "sketches")
 
 
 def _edges(manifest, scene, names):

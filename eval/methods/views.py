@@ -100,10 +100,12 @@ class Renderings:
 
 
 def stylized(scene, params, coherence, seed=0):
-    """The finished frames of a set, a list of FrameResult."""
-    return stylize_views(
-        scene.style, scene.source_guides, scene.guides, scene.edges, params, coherence, seed=seed
-    )
+    """The finished frames of a set in their order, a list of FrameResult."""
+    results = stylize_views(
+        scene.style, scene.source_guides, scene.guides, params, coherence, edges=scene.edges,
+        seed=seed,
+    )  # fmt: skip
+    return sorted(results, key=lambda result: result.frame)
 
 
 def compile_kernels(scene, params, coherence):
