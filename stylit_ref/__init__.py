@@ -60,11 +60,14 @@ if TYPE_CHECKING:
     from stylit_ref.texture.session import TextureSession
     from stylit_ref.texture.synthesize import TextureResult, synthesize_texture
     from stylit_ref.views.file_shot import FileShot
+    from stylit_ref.views.frame_result import FrameResult
     from stylit_ref.views.frame_step import FrameStep
     from stylit_ref.views.frames import Motion, grid_pairs, sequence_pairs
     from stylit_ref.views.params import Coherence
+    from stylit_ref.views.replaying import ReplayedFrame, replay_run
+    from stylit_ref.views.run_folder import Run
     from stylit_ref.views.shot import ArrayShot, Shot
-    from stylit_ref.views.stylize_views import FrameResult, stylize_frames, stylize_views
+    from stylit_ref.views.stylize_views import stylize_frames, stylize_views
 
 __all__ = [
     "PRESETS",
@@ -89,7 +92,9 @@ __all__ = [
     "RealtimeField",
     "RealtimeParams",
     "RealtimeSession",
+    "ReplayedFrame",
     "Result",
+    "Run",
     "Shot",
     "StagePacking",
     "Step",
@@ -114,6 +119,7 @@ __all__ = [
     "read_uint8",
     "replay",
     "replay_realtime",
+    "replay_run",
     "replay_texture",
     "sequence_pairs",
     "stylize",
@@ -166,7 +172,10 @@ _HOMES = {
     "views.frames": ("Motion", "grid_pairs", "sequence_pairs"),
     "views.params": ("Coherence",),
     "views.shot": ("ArrayShot", "Shot"),
-    "views.stylize_views": ("FrameResult", "stylize_frames", "stylize_views"),
+    "views.frame_result": ("FrameResult",),
+    "views.replaying": ("ReplayedFrame", "replay_run"),
+    "views.run_folder": ("Run",),
+    "views.stylize_views": ("stylize_frames", "stylize_views"),
     "views.frame_step": ("FrameStep",),
 }
 

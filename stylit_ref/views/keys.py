@@ -10,6 +10,11 @@ from stylit_ref.views.problem import Problem
 from stylit_ref.views.shot import arrays_digest
 
 
+def code_key() -> str:
+    """A digest of the code that makes states."""
+    return code_digest(workbench)
+
+
 def keys_of(problem: Problem, plan: Plan) -> Mapping[Task, str]:
     """The keys of all tasks of a plan.
 
@@ -30,7 +35,7 @@ def keys_of(problem: Problem, plan: Plan) -> Mapping[Task, str]:
     """
     shot, coherence = problem.shot, problem.coherence
     common = (
-        code_digest(workbench),
+        code_key(),
         arrays_digest(problem.style, *problem.source_guides),
         repr((problem.params, problem.seed)),
     )

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import nullcontext
-from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -11,8 +11,11 @@ from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
 from stylit_ref.stylization.params import Params
+from stylit_ref.views.distributed import Job, do_on_cluster
+from stylit_ref.views.frame_result import FrameResult
 from stylit_ref.views.frame_step import FrameStep
 from stylit_ref.views.frames import Edges
+from stylit_ref.views.keys import code_key, keys_of
 from stylit_ref.views.params import SEQUENCE, Coherence
 from stylit_ref.views.problem import make_problem
 from stylit_ref.views.shot import ArrayShot, Shot
@@ -22,27 +25,6 @@ from stylit_ref.views.workbench import Workbench
 
 Frames = Shot | Sequence[Sequence[NDArray[np.uint8]]]
 """A shot, or the guides of every frame."""
-
-
-@dataclass(frozen=True)
-class FrameResult:
-    """A stylized frame.
-
-    Attributes
-    ----------
-    frame : int
-        Its number, from 0.
-    name : str
-    image : (H_B, W_B) or (H_B, W_B, n) uint8
-        The output B', with the style's channels.
-    nnf : (H_B, W_B, 2) int32
-        For each target pixel the centre ``(y, x)`` of its source patch.
-    """
-
-    frame: int
-    name: str
-    image: NDArray[np.uint8]
-    nnf: NDArray[np.int32]
 
 
 def stylize_frames(
@@ -56,6 +38,7 @@ def stylize_frames(
     seed: int = 0,
     threads: int | None = None,
     work: str | Path | None = None,
+    scheduler: str | None = None,
     progress: Callable[[FrameStep], None] | None = None,
 ) -> Iterator[FrameResult]:
     """Stylize a sequence: :func:`stylize_views` with the coherence that suits one.
@@ -69,7 +52,8 @@ def stylize_frames(
     """
     return stylize_views(
         style, source_guides, frames, params, coherence or SEQUENCE,
-        edges=edges, seed=seed, threads=threads, work=work, progress=progress,
+        edges=edges, seed=seed, threads=threads, work=work,
+        scheduler=scheduler, progress=progress,
     )  # fmt: skip
 
 
@@ -84,6 +68,7 @@ def stylize_views(
     seed: int = 0,
     threads: int | None = None,
     work: str | Path | None = None,
+    scheduler: str | None = None,
     progress: Callable[[FrameStep], None] | None = None,
 ) -> Iterator[FrameResult]:
     """Stylize views or frames that pull at each other (Hauptfleisch 3.2).
@@ -114,6 +99,9 @@ def stylize_views(
     work : str or Path, optional
         A folder for the states of frames. A run that was interrupted goes on from there, and one
         with other arguments does again only what depends on them. By default a temporary one.
+    scheduler : str, optional
+        Address of a Dask scheduler, as ``tcp://10.0.0.1:8786``, whose machines do the work. All of
+        them must know the work folder, and the files of the shot, by the same path.
     progress : callable, optional
         Called with a :class:`FrameStep` as a frame advances.
 
@@ -125,8 +113,13 @@ def stylize_views(
     Raises
     ------
     InputError
-        If arrays, motion or parameters do not fit together; the message names the sizes.
+        If arrays, motion or parameters do not fit together; the message names the sizes. If no
+        scheduler answers.
     """
+    if scheduler is not None and work is None:
+        raise InputError(
+            "is missing; with a scheduler name a folder that all machines know", parameter="work"
+        )
     if isinstance(frames, Shot):
         if edges is not None:
             raise InputError("are those of the shot; leave them out", parameter="edges")
@@ -135,12 +128,17 @@ def stylize_views(
         shot = ArrayShot(frames, edges)
     problem = make_problem(style, source_guides, shot, params, coherence, seed=seed)
     bench = Workbench(problem)
-    return _results(problem, bench, work, np.ndim(style) == 2, threads, progress)
+    return _results(problem, bench, work, scheduler, threads, progress, is_grey=np.ndim(style) == 2)
 
 
-def _results(problem, bench, work, is_grey, threads, progress):
-    with TemporaryDirectory() if work is None else nullcontext(work) as folder:
-        walk = Walk(problem, WorkFolder(folder), bench, threads)
-        for frame, state in walk.run(progress):
+def _results(problem, bench, work, scheduler, threads, progress, *, is_grey):
+    with TemporaryDirectory() if work is None else nullcontext(work) as path:
+        folder, keys = WorkFolder(path), keys_of(problem, problem.plan())
+        walk = Walk(problem, folder, bench, keys, threads)
+        do_all = walk.do_here
+        if scheduler is not None:
+            job = Job(problem, str(folder.folder.resolve()), keys, threads, code_key())
+            do_all = partial(do_on_cluster, job, scheduler)
+        for frame, state in walk.run(do_all, progress):
             image = state.picture[:, :, 0] if is_grey else state.picture
             yield FrameResult(frame, problem.shot.names[frame], image, state.nnf)

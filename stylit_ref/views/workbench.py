@@ -104,7 +104,7 @@ class Workbench:
         else:
             coarse = passes.upload(before.nnf)
             passes.upsample_nnf(coarse, level.nnf, level.patch_width, *level.omega.shape)
-        level.vote()
+        level.update_style()
         return State(np.array(passes.download(level.nnf)), np.ascontiguousarray(level.style))
 
     def forget(self, frame: int) -> None:
