@@ -9,6 +9,10 @@ and texture synthesis by patches:
 and stylization in real time:
 
 >>> from stylit_ref import RealtimeSession, StagePacking
+
+and views or sequences that do not flicker:
+
+>>> from stylit_ref import Coherence, Motion, stylize_frames, stylize_views
 """
 
 from importlib import import_module
@@ -55,25 +59,43 @@ if TYPE_CHECKING:
     from stylit_ref.texture.replaying import replay_texture
     from stylit_ref.texture.session import TextureSession
     from stylit_ref.texture.synthesize import TextureResult, synthesize_texture
+    from stylit_ref.views.file_shot import FileShot
+    from stylit_ref.views.frame_result import FrameResult
+    from stylit_ref.views.frame_step import FrameStep
+    from stylit_ref.views.frames import Motion, grid_pairs, sequence_pairs
+    from stylit_ref.views.params import Coherence
+    from stylit_ref.views.replaying import ReplayedFrame, replay_run
+    from stylit_ref.views.run_folder import Run
+    from stylit_ref.views.shot import ArrayShot, Shot
+    from stylit_ref.views.stylize_views import stylize_frames, stylize_views
 
 __all__ = [
     "PRESETS",
     "REALTIME_PRESETS",
     "TEXTURE_PRESETS",
+    "ArrayShot",
+    "Coherence",
     "DraggedPatch",
     "Field",
+    "FileShot",
     "FrameCancelledError",
+    "FrameResult",
+    "FrameStep",
     "GuideEncoding",
     "Guides",
     "InputError",
     "Iteration",
+    "Motion",
     "Params",
     "PrincipalPacking",
     "Profile",
     "RealtimeField",
     "RealtimeParams",
     "RealtimeSession",
+    "ReplayedFrame",
     "Result",
+    "Run",
+    "Shot",
     "StagePacking",
     "Step",
     "TextureField",
@@ -84,6 +106,7 @@ __all__ = [
     "complete_texture",
     "drag",
     "drop",
+    "grid_pairs",
     "make_tileable",
     "overlay",
     "pack",
@@ -96,8 +119,12 @@ __all__ = [
     "read_uint8",
     "replay",
     "replay_realtime",
+    "replay_run",
     "replay_texture",
+    "sequence_pairs",
     "stylize",
+    "stylize_frames",
+    "stylize_views",
     "synthesize_texture",
     "to_uint8",
     "warm_up",
@@ -141,6 +168,15 @@ _HOMES = {
     "texture.replaying": ("replay_texture",),
     "texture.session": ("TextureSession",),
     "texture.synthesize": ("TextureResult", "synthesize_texture"),
+    "views.file_shot": ("FileShot",),
+    "views.frames": ("Motion", "grid_pairs", "sequence_pairs"),
+    "views.params": ("Coherence",),
+    "views.shot": ("ArrayShot", "Shot"),
+    "views.frame_result": ("FrameResult",),
+    "views.replaying": ("ReplayedFrame", "replay_run"),
+    "views.run_folder": ("Run",),
+    "views.stylize_views": ("stylize_frames", "stylize_views"),
+    "views.frame_step": ("FrameStep",),
 }
 
 

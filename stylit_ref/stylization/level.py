@@ -175,6 +175,11 @@ class Level:
 
         Call :meth:`update_moments` before the next search.
         """
+        self.update_style()
+        self.update_similarity()
+
+    def update_style(self) -> None:
+        """Compute B' from the NNF; δ stays what it was."""
         self.passes.vote(
             self.textures.source,
             self.textures.target,
@@ -184,7 +189,6 @@ class Level:
             self.packing.style_channels,
             self.vote_outliers,
         )
-        self.update_similarity()
 
     def update_similarity(self) -> None:
         """Compute δ of the current NNF."""

@@ -45,15 +45,22 @@ def places_of(motion: Motion, depth: int) -> NDArray[np.int32]:
     return places
 
 
-def pull(level: Level, neighbours: Sequence[Neighbour], weight: int, *, with_spread: bool) -> None:
-    """Replace B' by M, for the next search; the next vote makes B' again.
+def pull(
+    level: Level,
+    own: NDArray[np.uint8],
+    neighbours: Sequence[Neighbour],
+    weight: int,
+    *,
+    with_spread: bool,
+) -> None:
+    """Set the level's B' to M, for the next search; the next vote makes B' again.
 
     Parameters
     ----------
     level : Level
-        After a vote.
+    own : (H, W, n) uint8
+        B'. Without neighbours it stays.
     neighbours : sequence of Neighbour
-        Without one, nothing changes.
     weight : int
         λ_c of each, in units of 1/256.
     with_spread : bool
@@ -61,8 +68,9 @@ def pull(level: Level, neighbours: Sequence[Neighbour], weight: int, *, with_spr
         (:func:`stylit_ref.views.packing.coherent_packing`).
     """
     if not neighbours:
+        level.set_style(own)
         return
-    own = np.ascontiguousarray(level.style)
+    own = np.ascontiguousarray(own)
     guides = np.empty((len(neighbours), *own.shape), np.uint8)
     for neighbour, guide in zip(neighbours, guides, strict=True):
         passes.shift_picture(neighbour.picture, neighbour.places, own, guide)

@@ -45,3 +45,7 @@ class Coherence:
 
     def __post_init__(self) -> None:
         check_fields(self)
+
+
+SEQUENCE = Coherence(weight=1, order=SEQUENTIAL)
+"""What suits a sequence; the defaults suit a grid."""

@@ -1,96 +1,104 @@
-"""From images and motion to a coherent run that is checked and can begin."""
+"""From images, a shot and parameters to a coherent run that is checked and can begin."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
-from stylit_ref.stylization.backends import CPU, Backend
-from stylit_ref.stylization.checks import as_image, fit_levels, size_text
-from stylit_ref.stylization.exemplar import Exemplar
-from stylit_ref.stylization.params import Params, as_params
-from stylit_ref.stylization.problem import make_exemplar, make_target
-from stylit_ref.stylization.synthesis import Synthesis
-from stylit_ref.stylization.target import Target
-from stylit_ref.views.formulae.fold import ONE, fixed_weight
-from stylit_ref.views.frames import Edges, check_edges, neighbours_of
-from stylit_ref.views.packing import coherent_packing
-from stylit_ref.views.params import PLAIN, Coherence
-from stylit_ref.views.synthesis import CoherentSynthesis
+from stylit_ref.randomness.seed import check_seed
+from stylit_ref.stylization.checks import as_image, check_source_guides, fit_levels, most_levels
+from stylit_ref.stylization.params import ALL, Params, as_params
+from stylit_ref.views.formulae.fold import fixed_weight
+from stylit_ref.views.params import SEQUENTIAL, Coherence
+from stylit_ref.views.plan import Plan
+from stylit_ref.views.shot import Shot
 
 
-def make_coherent_synthesis(
+@dataclass(frozen=True, eq=False)
+class Problem:
+    """All that decides the bytes of a coherent run. It can be pickled if its shot can.
+
+    Make it with :func:`make_problem`.
+
+    Attributes
+    ----------
+    style : (H_A, W_A, n) uint8
+    source_guides : tuple of (H_A, W_A, c) uint8
+    shot : Shot
+    params : Params
+        Its ``levels`` is a number.
+    coherence : Coherence
+    seed : int
+    """
+
+    style: NDArray[np.uint8]
+    source_guides: tuple[NDArray[np.uint8], ...]
+    shot: Shot
+    params: Params
+    coherence: Coherence
+    seed: int
+
+    @property
+    def weight(self) -> int:
+        """λ_c in units of 1/256."""
+        return fixed_weight(self.coherence.weight)
+
+    def plan(self) -> Plan:
+        """The order of work."""
+        neighbours: list[list[int]] = [[] for _ in self.shot.names]
+        is_sequential = self.coherence.order == SEQUENTIAL
+        for to, other in sorted(self.shot.pairs):
+            if self.weight and not (is_sequential and other > to):
+                neighbours[to].append(other)
+        levels = int(self.params.levels)
+        votes = [self.params.votes_above(levels - level) for level in range(1, levels + 1)]
+        return Plan(neighbours, votes, self.coherence.order)
+
+
+def make_problem(
     style: NDArray[np.uint8],
     source_guides: Sequence[NDArray[np.uint8]],
-    target_guides: Sequence[Sequence[NDArray[np.uint8]]],
-    edges: Edges,
+    shot: Shot,
     params: Params | None = None,
     coherence: Coherence | None = None,
     *,
     seed: int = 0,
-    backend: Backend = CPU,
-) -> CoherentSynthesis:
-    """Check images, motion and parameters, and lay them out for a coherent run.
+) -> Problem:
+    """Check what can be checked before a frame is read.
 
     Parameters
     ----------
     style, source_guides, params, seed
         As for :func:`stylit_ref.stylize`.
-    target_guides : sequence of sequences of (H_B, W_B) or (H_B, W_B, c) uint8
-        The guides of every frame, all of one size.
-    edges : mapping from (int, int) to Motion
-        The motion from frame ``to`` into frame ``other``, by ``(to, other)``.
+    shot : Shot
     coherence : Coherence, optional
-    backend : Backend
 
     Returns
     -------
-    CoherentSynthesis
+    Problem
 
     Raises
     ------
     InputError
-        If images, motion or parameters do not fit together; the message names the sizes.
+        If arrays and parameters do not fit together, or pairs name no frames.
     """
     params, coherence = as_params(params), coherence or Coherence()
-    exemplar = make_exemplar(style, source_guides, params, backend=backend)
-    targets = [make_target(guides, exemplar) for guides in target_guides]
-    if not targets:
-        raise InputError("is empty; at least one frame is needed", parameter="target_guides")
-    size = targets[0].size
-    for frame, target in enumerate(targets):
-        if target.size != size:
+    check_seed(seed)
+    style = as_image(style, "style")
+    sources = [as_image(guide, f"source_guides[{k}]") for k, guide in enumerate(source_guides)]
+    check_source_guides(style, sources)
+    frames = len(shot.names)
+    for to, other in shot.pairs:
+        if not (0 <= to < frames and 0 <= other < frames) or to == other:
             raise InputError(
-                f"is {size_text(target.size)} but frame 0 is {size_text(size)}; all frames must "
-                "have the same size",
-                parameter=f"target_guides[{frame}]",
+                f"joins frames {to} and {other}; the frames are 0 to {frames - 1}, and an edge "
+                "joins two of them",
+                parameter=f"edges[{to}, {other}]",
             )
-    params = fit_levels(params, exemplar.size, size)
-    edges = check_edges(edges, len(targets), size)
-
-    weight = fixed_weight(coherence.weight)
-    with_spread = params.traits.chooses_targets and weight > 0 and bool(edges)
-    exemplars = {ONE: exemplar} if not with_spread else {}
-    runs = []
-    for frame, (target, guides) in enumerate(zip(targets, target_guides, strict=True)):
-        pulling = len(neighbours_of(edges, frame)) if coherence.form == PLAIN else 0
-        style_weight = ONE + pulling * weight
-        if style_weight not in exemplars:
-            packing = coherent_packing(exemplar.packing, style_weight, with_spread=with_spread)
-            texture = _packed(packing, source_guides, as_image(style, "style"))
-            exemplars[style_weight] = Exemplar(backend.passes, packing, params.patch_width, texture)
-        suited = exemplars[style_weight]
-        if suited is not exemplar:
-            texture = _packed(suited.packing, guides)
-            target = Target(backend.passes, suited.packing, params.patch_width, texture)
-        runs.append(Synthesis(suited, target, params, seed, backend.iterate))
-    return CoherentSynthesis(runs, edges, coherence, with_spread=with_spread)
-
-
-def _packed(packing, guides, style=None):
-    """Guides and style in one texture, with zeros for the spread if the packing has it."""
-    guides = [as_image(guide, "guide") for guide in guides]
-    if len(packing.guide_sizes) > len(guides):
-        guides.append(np.zeros((*guides[0].shape[:2], 1), np.uint8))
-    return packing.pack(guides, style)
+    sizes = style.shape[:2], tuple(shot.size)
+    params = fit_levels(params, *sizes)
+    if params.levels == ALL:
+        params = replace(params, levels=most_levels(params.patch_width, *sizes))
+    return Problem(style, tuple(sources), shot, params, coherence, seed)

@@ -1,0 +1,57 @@
+"""Measure coherent views and animations: chapters 2.4, 3.1 and 3.2 of Hauptfleisch (2020)."""
+
+from pathlib import Path
+
+from data_gen.guides import LIGHT_PASSES
+from eval.documents.hauptfleisch.page import document
+from eval.documents.hauptfleisch.plan import Plan, Study
+from eval.documents.hauptfleisch.presets import PRESETS
+from eval.pages.document import make_document
+from eval.pages.options import add_output, folder_of
+from eval.read_frames import GUIDES, read_frames
+from stylit_ref import InputError
+
+SIZES = {"house": "300x228", "large": "600x456", "animation": "300x228"}
+"""Folder in the data, by study."""
+
+SCENES = {"house": "house", "large": "house", "animation": "animation"}
+"""Scene of the data set, by study."""
+
+STYLES = {"house": "inked", "large": "inked", "animation": "oil"}
+"""What was painted over its source: ink strokes leave the building."""
+
+
+def add_options(parser):
+    """Declare what the report may be told."""
+    parser.add_argument(
+        "--preset", choices=PRESETS, default="quick",
+        help="quick: a few minutes on two idle cores; full: more settings with StyLit, longer "
+        "shots, times in turns (default quick)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--data", type=Path, default=Path("build/data"),
+        help="folder whose folders 300x228 and 600x456 are data sets of make data (default "
+        "build/data)",
+    )  # fmt: skip
+    add_output(parser, "hauptfleisch_PRESET")
+
+
+def main(options):
+    """Do the runs and make the report; returns the exit code."""
+    preset = PRESETS[options.preset]
+    studies, missing = {}, []
+    for name, ways in preset.ways.items():
+        is_shot = name == "animation"
+        try:
+            frames = read_frames(
+                SCENES[name], STYLES[name], options.data / SIZES[name],
+                LIGHT_PASSES if is_shot else GUIDES, preset.frames if is_shot else None,
+            )  # fmt: skip
+        except InputError as error:
+            missing.append(f"{name} ({error})")
+        else:
+            studies[name] = Study(name, frames, ways)
+    if not studies:
+        raise InputError(f"--data: {'; '.join(missing)}")
+    plan = Plan(options.preset, preset, studies)
+    return make_document(document(plan, missing), folder_of(options, f"hauptfleisch_{plan.name}"))

@@ -1,0 +1,132 @@
+"""A shot on the disk: paths, and how their values become guides and motion."""
+
+import hashlib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stylit_ref.errors import InputError
+from stylit_ref.files.disk.paths import split_layer
+from stylit_ref.files.guides.encoding import GuideEncoding
+from stylit_ref.files.picture import read_picture
+from stylit_ref.stylization.checks import size_text
+from stylit_ref.views.frames import Motion
+
+
+class MotionSource(Protocol):
+    """Where the motion of a pair comes from; it can be pickled."""
+
+    def read(self) -> Motion:
+        """Read the motion, (H, W, 2) float32 and (H, W) bool."""
+        ...
+
+    def digest(self) -> str:
+        """A text that changes if the motion does (:func:`files_digest`)."""
+        ...
+
+
+@dataclass(frozen=True)
+class FileShot:
+    """A shot of files, which are read when a frame is worked on.
+
+    Attributes
+    ----------
+    names : tuple of str
+        What each frame is called, all different.
+    size : tuple of 2 int
+        Rows and columns of every frame.
+    guide_files : tuple of tuple of str
+        For every frame the file of each guide, with a layer as in
+        :func:`stylit_ref.read_image`.
+    encodings : tuple of GuideEncoding
+        How each guide becomes 8 bits, in all frames and in the source alike.
+    channels : tuple of int
+        Channels of each guide of the source; grey is spread to as many, and alpha added.
+    motion_sources : mapping from (int, int) to MotionSource
+        By ``(to, other)``.
+    """
+
+    names: tuple[str, ...]
+    size: tuple[int, int]
+    guide_files: tuple[tuple[str, ...], ...]
+    encodings: tuple[GuideEncoding, ...]
+    channels: tuple[int, ...]
+    motion_sources: Mapping[tuple[int, int], MotionSource]
+
+    @property
+    def pairs(self) -> Sequence[tuple[int, int]]:
+        """The pairs with motion."""
+        return tuple(self.motion_sources)
+
+    def guides(self, frame: int) -> Sequence[NDArray[np.uint8]]:
+        """Read the guides of a frame.
+
+        Raises
+        ------
+        InputError
+            If a file cannot be read, or has another size or other channels.
+        """
+        files = zip(self.guide_files[frame], self.encodings, self.channels, strict=True)
+        return [self._guide(*each) for each in files]
+
+    def motion(self, to: int, other: int) -> Motion:
+        """Read the motion of a pair."""
+        return self.motion_sources[to, other].read()
+
+    def guides_digest(self, frame: int) -> str:
+        """A digest of the bytes of a frame's files, and of how they are read."""
+        return files_digest(self.guide_files[frame], repr((self.encodings, self.channels)))
+
+    def motion_digest(self, to: int, other: int) -> str:
+        """A digest of the motion of a pair."""
+        return self.motion_sources[to, other].digest()
+
+    def _guide(self, file, encoding, channels):
+        picture = read_picture(file, is_guide=True)
+        guide = encoding.encode(picture)
+        if guide.shape[:2] != self.size:
+            raise InputError(
+                f"{file}: is {size_text(guide.shape)} but the other frames are "
+                f"{size_text(self.size)}; all frames must have the same size"
+            )
+        has_alpha = picture.alpha_channel is not None
+        wants_alpha = channels in (2, 4)
+        colours = channels - wants_alpha
+        if guide.shape[2] - has_alpha == 1:
+            grey = [guide[:, :, :1]] * colours
+            guide = np.concatenate([*grey, guide[:, :, 1:]], axis=2)
+        if wants_alpha and not has_alpha:
+            opaque = np.full((*self.size, 1), 255, np.uint8)
+            guide = np.concatenate([guide, opaque], axis=2)
+        if guide.shape[2] != channels:
+            raise InputError(
+                f"{file}: has {guide.shape[2]} channels but the source's guide has {channels}; "
+                "save both with the same channels"
+            )
+        return guide
+
+
+def files_digest(files: Sequence[str | Path], facts: str = "") -> str:
+    """A digest of what files hold, wherever they lie.
+
+    Parameters
+    ----------
+    files : sequence of str or Path
+        With a layer as in :func:`stylit_ref.read_image`.
+    facts : str
+        How they are read.
+
+    Returns
+    -------
+    str
+    """
+    digest = hashlib.sha256(facts.encode())
+    for path in files:
+        file, layer = split_layer(path)
+        with file.open("rb") as content:
+            digest.update(f" {layer} {hashlib.file_digest(content, 'sha256').hexdigest()}".encode())
+    return digest.hexdigest()

@@ -1,0 +1,96 @@
+"""Strokes that leave a thing move with it, and not with what they are painted over.
+
+An artist's outlines do not end where the geometry does. Beside a silhouette they lie on pixels of
+the ground. With the motion of the ground they would stay behind, and coherence would draw them
+there again: ghosts. So pixels beside something nearer take its motion, as far as strokes reach
+(:func:`~stylit_ref.views.formulae.silhouette.reach_of`). One rule serves sequences and views.
+
+Depth says what is nearer. IDs say where things end, and not which of two is nearer; only what has
+no ID, 0, lies behind what has one. So IDs without depth serve in front of an empty background.
+"""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.ndimage import maximum_filter
+
+from stylit_ref.views import passes
+from stylit_ref.views.formulae.silhouette import STEP, inverse_depth, reach_of
+from stylit_ref.views.frames import Motion
+from stylit_ref.views.motion.places import fetched, places_in_other
+
+
+class Silhouettes(NamedTuple):
+    """What the pixels of a frame belong to, strokes beside silhouettes among them.
+
+    Attributes
+    ----------
+    places : (H, W, 2) int32
+        (y, x) of the pixel whose motion each takes: its own, or the closest of something nearer.
+    beside : (H, W) bool
+        Whether it is another one.
+    inverse : (H, W) float64
+        The inverse depth there; of IDs, 1 for what has one and 0 for what has none.
+    """
+
+    places: NDArray[np.int32]
+    beside: NDArray[np.bool_]
+    inverse: NDArray[np.float64]
+
+
+def silhouettes_of(
+    depth: NDArray[np.float32] | None, labels: NDArray[np.integer[Any]] | None = None
+) -> Silhouettes | None:
+    """Find the pixels of a frame beside something nearer.
+
+    Parameters
+    ----------
+    depth : (H, W) float32 or None
+        Farther is larger; 0, infinite, or more than 10⁹ where nothing is.
+    labels : (H, W) of whole numbers, optional
+        IDs; 0 where nothing is. They count where there is no depth.
+
+    Returns
+    -------
+    Silhouettes or None
+        None if neither is known.
+    """
+    if depth is not None:
+        inverse = inverse_depth(depth)
+    elif labels is not None:
+        inverse = (labels != 0).astype(np.float64)
+    else:
+        return None
+    size = inverse.shape
+    rims, places = np.empty(size, np.bool_), np.empty((*size, 2), np.int32)
+    passes.find_rims(inverse, rims)
+    reach = reach_of(*size)
+    is_close = maximum_filter(rims, 2 * reach + 1)
+    passes.take_nearer(inverse, rims, is_close, reach, places)
+    own = np.stack(np.mgrid[: size[0], : size[1]], axis=-1)
+    return Silhouettes(places, (places != own).any(axis=2), fetched(inverse, places))
+
+
+def along_silhouettes(motion: Motion, here: Silhouettes, there: Silhouettes) -> Motion:
+    """Let strokes beside silhouettes move with what they belong to.
+
+    Parameters
+    ----------
+    motion : Motion
+        From one frame into another.
+    here, there : Silhouettes
+        Of the two frames.
+
+    Returns
+    -------
+    Motion
+        Hidden also where a pixel or its place in the other frame lies beside a silhouette, and
+        there is something else in the other frame.
+    """
+    taken = Motion(fetched(motion.field, here.places), fetched(motion.visible, here.places))
+    places = places_in_other(taken)
+    found = fetched(there.inverse, places)
+    near, far = np.maximum(here.inverse, found), np.minimum(here.inverse, found)
+    is_same = (near <= STEP**2 * far) | ~(here.beside | fetched(there.beside, places))
+    return Motion(taken.field, taken.visible & is_same)

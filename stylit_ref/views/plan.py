@@ -1,0 +1,125 @@
+"""The order of work: which state of a frame is made of which others."""
+
+from collections.abc import Callable, Iterator, Sequence
+from typing import NamedTuple
+
+from stylit_ref.views.params import PARALLEL, SEQUENTIAL, SWEEPS
+
+
+class Task(NamedTuple):
+    """The making of one state of a frame.
+
+    Attributes
+    ----------
+    frame : int
+    level : int
+        1 is the coarsest.
+    vote : int
+        The search-vote iteration, from 1; 0 begins the level.
+    """
+
+    frame: int
+    level: int
+    vote: int
+
+
+class Plan:
+    """The tasks of all frames, and the states that each reads.
+
+    Parameters
+    ----------
+    neighbours : sequence of sequence of int
+        For every frame those that pull at it.
+    votes : sequence of int
+        Search-vote iterations of every level, the coarsest first.
+    order : {"parallel", "sweeps", "sequential"}
+
+    Attributes
+    ----------
+    neighbours, votes, order
+        As given.
+    """
+
+    neighbours: Sequence[Sequence[int]]
+    votes: Sequence[int]
+    order: str
+
+    def __init__(
+        self, neighbours: Sequence[Sequence[int]], votes: Sequence[int], order: str
+    ) -> None:
+        self.neighbours, self.votes, self.order = neighbours, votes, order
+
+    @property
+    def frames(self) -> range:
+        """Numbers of the frames."""
+        return range(len(self.neighbours))
+
+    def stages(self) -> Iterator[list[Task]]:
+        """All tasks, in lists whose tasks do not read each other, except in sweeps."""
+        if self.order == SEQUENTIAL:
+            for frame in self.frames:
+                for level, vote in self._iterations():
+                    yield [Task(frame, level, vote)]
+            return
+        for level, vote in self._iterations():
+            back = self.order == SWEEPS and vote % 2 == 0
+            yield [Task(frame, level, vote) for frame in self.frames[:: -1 if back else 1]]
+
+    def tasks(self) -> Iterator[Task]:
+        """All tasks, each behind those that it reads."""
+        for stage in self.stages():
+            yield from stage
+
+    def last(self, frame: int) -> Task:
+        """The task that finishes a frame."""
+        return Task(frame, len(self.votes), self.votes[-1])
+
+    def before(self, task: Task) -> Task | None:
+        """The task whose state this one changes, or None for the first of a frame."""
+        if task.vote:
+            return task._replace(vote=task.vote - 1)
+        if task.level == 1:
+            return None
+        return Task(task.frame, task.level - 1, self.votes[task.level - 2])
+
+    def pulling(self, task: Task) -> list[Task]:
+        """The tasks whose pictures pull at this one, one of each neighbour."""
+        others = self.neighbours[task.frame] if task.vote else ()
+        if self.order == SEQUENTIAL:
+            return [self.last(other) for other in others]
+        return [
+            Task(other, task.level, task.vote - (not self._is_ahead(task, other)))
+            for other in others
+        ]
+
+    def reads(self, task: Task) -> list[Task]:
+        """All tasks whose states this one reads."""
+        before = self.before(task)
+        return self.pulling(task) + ([] if before is None else [before])
+
+    def missing(self, has: Callable[[Task], bool]) -> list[Task]:
+        """The tasks to do until all frames are finished, in their order.
+
+        Parameters
+        ----------
+        has : callable
+            Whether the state of a task is there.
+        """
+        found, waiting = set(), [self.last(frame) for frame in self.frames]
+        while waiting:
+            task = waiting.pop()
+            if task not in found and not has(task):
+                found.add(task)
+                waiting += self.reads(task)
+        return [task for task in self.tasks() if task in found]
+
+    def _iterations(self):
+        for level, votes in enumerate(self.votes, 1):
+            for vote in range(votes + 1):
+                yield level, vote
+
+    def _is_ahead(self, task, other):
+        """Whether the other frame has done this iteration when the task begins."""
+        if self.order == PARALLEL:
+            return False
+        return other < task.frame if task.vote % 2 else other > task.frame

@@ -1,0 +1,144 @@
+"""Write a RUN (:mod:`stylit_ref.views.run_folder`) as frames finish."""
+
+import json
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+from stylit_ref.errors import InputError
+from stylit_ref.files.colour.profile import ColourProfile
+from stylit_ref.files.disk.paths import check_folder
+from stylit_ref.files.disk.whole_file import write_text
+from stylit_ref.files.field import Field
+from stylit_ref.files.guides.encoding import GuideEncoding
+from stylit_ref.files.nnf_file import write_nnf
+from stylit_ref.files.npy_file import write_arrays
+from stylit_ref.files.write_image import write_image
+from stylit_ref.views.frame_result import FrameResult
+from stylit_ref.views.problem import Problem
+from stylit_ref.views.run_folder import CONVENTION, RUN_FILE, SCHEMA, VERSION, Run, digest_of
+
+
+class RunWriter:
+    """Writes a RUN as frames finish. Without :meth:`finish` the folder is none.
+
+    Parameters
+    ----------
+    folder : str or Path
+        It is made if it does not exist; a RUN in it is replaced.
+    problem : Problem
+    encodings : sequence of GuideEncoding
+        How the guides became 8 bits.
+    grid : tuple of 2 int, optional
+        Rows and columns, if the frames are a grid of views, row by row.
+    cameras : sequence of mapping, optional
+        For every frame what is known of its camera, as JSON can hold it.
+    profile : ColourProfile, optional
+        Of the style, for the pictures.
+
+    Raises
+    ------
+    InputError
+        If the folder cannot be written.
+    """
+
+    folder: Path
+
+    def __init__(
+        self,
+        folder: str | Path,
+        problem: Problem,
+        *,
+        encodings: Sequence[GuideEncoding] = (),
+        grid: tuple[int, int] | None = None,
+        cameras: Sequence[Mapping[str, Any]] | None = None,
+        profile: ColourProfile | None = None,
+    ) -> None:
+        check_folder(folder)
+        self.folder = Path(folder)
+        (self.folder / RUN_FILE).unlink(missing_ok=True)  # the old one's files are overwritten
+        self._problem, self._encodings, self._profile = problem, tuple(encodings), profile
+        self._names = _file_names(problem.shot.names)
+        self._digests: dict[str, str] = {}
+        self._facts: dict[str, Any] = {
+            "schema": SCHEMA,
+            "version": VERSION,
+            "convention": CONVENTION,
+            "size": list(problem.shot.size),
+            "grid": None if grid is None else list(grid),
+            "params": asdict(problem.params),
+            "coherence": asdict(problem.coherence),
+            "seed": int(problem.seed),
+            "style": self._image("style", problem.style),
+            "source_guides": [
+                self._image(f"source_guides/{k}", guide)
+                for k, guide in enumerate(problem.source_guides)
+            ],
+            "guide_encodings": [encoding.to_dict() for encoding in self._encodings],
+            "frames": [
+                {"name": name, "camera": None if cameras is None else dict(cameras[frame])}
+                for frame, name in enumerate(problem.shot.names)
+            ],
+            "motion": [self._motion(*pair) for pair in problem.shot.pairs],
+        }
+
+    def add(self, result: FrameResult) -> None:
+        """Write the picture and the NNF of a frame."""
+        name = self._names[result.frame]
+        frame = self._facts["frames"][result.frame]
+        frame["picture"], frame["nnf"] = f"pictures/{name}.png", f"nnfs/{name}.npy"
+        write_image(self.folder / frame["picture"], result.image, profile=self._profile)
+        params, style = self._problem.params, self._problem.style
+        field = Field(
+            result.nnf, params.patch_width, params.vote_outliers, style.shape[:2],
+            guide_encodings=self._encodings,
+        )  # fmt: skip
+        write_nnf(self.folder / frame["nnf"], field)
+        self._note(frame["picture"], frame["nnf"])
+
+    def finish(self) -> "Run":
+        """Write ``run.json``, when every frame has been added.
+
+        Returns
+        -------
+        Run
+        """
+        missing = [frame["name"] for frame in self._facts["frames"] if "picture" not in frame]
+        if missing:
+            raise InputError(
+                f"{self.folder}: the frames {', '.join(missing)} have not been added; a RUN has all"
+            )
+        facts = self._facts | {"digests": self._digests}
+        write_text(self.folder / RUN_FILE, json.dumps(facts, indent=1) + "\n")
+        return Run(self.folder)
+
+    def _image(self, name, image):
+        """Write an image, exactly; OpenImageIO would divide by alpha."""
+        file = f"{name}.{'png' if image.shape[2] in (1, 3) else 'npy'}"
+        if file.endswith(".png"):
+            write_image(self.folder / file, image)
+        else:
+            write_arrays(self.folder / file, [image])
+        self._note(file)
+        return file
+
+    def _motion(self, to, other):
+        file = f"motion/{self._names[to]}_to_{self._names[other]}.npy"
+        write_arrays(self.folder / file, list(self._problem.shot.motion(to, other)))
+        self._note(file)
+        return {"to": to, "other": other, "file": file}
+
+    def _note(self, *files):
+        for file in files:
+            self._digests[file] = digest_of(self.folder / file)
+
+
+def _file_names(names):
+    """The names as file names, or numbers if two would be the same."""
+    cleaned = [re.sub(r"[^\w.-]", "_", name) for name in names]
+    if len({name.lower() for name in cleaned}) == len(cleaned):
+        return cleaned
+    digits = len(str(len(names) - 1))
+    return [f"{frame:0{digits}}" for frame in range(len(names))]
