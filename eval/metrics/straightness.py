@@ -25,9 +25,9 @@ NUMBERS = {
 
 DEFINITION = """\
 - **lines off straight**: along each straight edge of the model as the target shows it, the RMS
-  distance in pixels of the drawn line from the straight line that fits it best, over the same of the
-  painting along the edges of the source. **lines lost**: share of these edges along which the output
-  has no line, less that of the painting."""
+  distance in pixels of the drawn line from the straight line that fits it best, over the same of
+  the painting along the edges of the source. **lines lost**: share of these edges along which the
+  output has no line, less that of the painting."""
 
 
 def measure(scene, outcome):

@@ -8,7 +8,7 @@ from eval.number import Number
 LIGHT = "LIGHTMASK"
 """The guide or buffer that tells lit places from those in shadow."""
 
-_BORDER = 1 / 30
+_BORDER = 1 / 15
 """Share of the height around other things that is left out: strokes leave the geometry."""
 
 _FEWEST = 500

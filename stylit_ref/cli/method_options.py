@@ -40,8 +40,9 @@ def add_preset(group: argparse._ArgumentGroup) -> None:
         "--preset", choices=presets,
         help="final: the finished picture; fast: a preview, close to the eye, a thirteenth of the "
         "work; thesis: as final, with the 6 levels of the thesis; architecture: --method stylit as "
-        "sketches of buildings need it (default final); of --method realtime best: the better picture; quick: six tenths of the time; simple, optimized: the "
-        "two methods of Heidrich's thesis (default best)",
+        "sketches of buildings need it (default final); of --method realtime best: the better "
+        "picture; quick: six tenths of the time; simple, optimized: the two methods of Heidrich's "
+        "thesis (default best)",
     )  # fmt: skip
 
 
