@@ -26,6 +26,20 @@ def views_figure(study, method, file):
     contact_sheet(rows, file, tile=_tile(study))
 
 
+def styles_figure(plan, file):
+    """The middle view in every style: what was painted, alone, and pulled by its neighbours."""
+    coherence = GOALS["house"][0].coherence
+    rows = []
+    for style, study in plan.styles.items():
+        middle = study.frames.frames // 2
+        runs = {"alone": study.alone("ref"), "coherent": study.job("ref", coherence)}
+        rows.append(
+            [(style, study.frames.style)]
+            + [(name, stored(job).image[middle]) for name, job in runs.items()]
+        )
+    contact_sheet(rows, file, tile=300)
+
+
 def crops_figure(study, method, file):
     """The most detailed place of the middle view, and the same points in its neighbour."""
     to, other = _pair(study)

@@ -1,6 +1,6 @@
 """How much of the thesis is repeated."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from stylit_ref.views.params import PLAIN, SEQUENTIAL, SWEEPS, Coherence
 
@@ -19,12 +19,15 @@ class Preset:
         How often each run takes its turn where times are compared.
     costed : tuple of (str, str)
         Studies and methods whose times are compared.
+    styles : tuple of str
+        Other sketches over the house, with ref at the setting that is judged.
     """
 
     ways: dict[str, dict[str, tuple[Coherence, ...]]]
     frames: int
     rounds: int
-    costed: tuple[tuple[str, str], ...] = field(default=())
+    costed: tuple[tuple[str, str], ...]
+    styles: tuple[str, ...]
 
 
 _WEIGHTS = tuple(Coherence(weight) for weight in (0.25, 0.5, 1.0, 2.0))
@@ -54,6 +57,7 @@ PRESETS = {
         frames=11,
         rounds=1,
         costed=(("house", "ref"),),
+        styles=("hatched", "marker"),
     ),
     "full": Preset(
         ways={
@@ -66,5 +70,6 @@ PRESETS = {
         costed=tuple(
             (study, method) for study in ("house", "large") for method in ("ref", "stylit")
         ),
+        styles=("hatched", "marker", "two_walls", "unshadowed"),
     ),
 }
