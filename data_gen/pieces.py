@@ -5,6 +5,7 @@ these, with a ``name`` and a method ``make``. What imports the renderer is impor
 needed, after :func:`data_gen.renderer.start`.
 """
 
+import json
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -168,3 +169,54 @@ class MotionOfTurn:
         )
         for name, layers in rendering.motion_of_turn(frames, self.degrees):
             write_layers(folder / f"{name}.exr", layers)
+
+
+@dataclass(frozen=True)
+class ViewsManifest:
+    """``views.json``, which tells ``stylit-ref views`` the files of a scene.
+
+    Attributes
+    ----------
+    scene : str
+    style : str
+        File of the painting in the data set; its guides lie in the piece of its first folder.
+    guides : tuple of str
+    cameras : dict of str to Camera
+        Of each view, by its name in the scene.
+    rows : tuple of tuple of str
+        Views that are neighbours, in rows and columns; a sequence is one row.
+    has_motion : bool
+    """
+
+    scene: str
+    style: str
+    guides: tuple[str, ...]
+    cameras: dict[str, Camera]
+    rows: tuple[tuple[str, ...], ...]
+    has_motion: bool = True
+
+    @property
+    def name(self):
+        """Of the piece and of its folder, which lies beside those of the scenes."""
+        return f"manifests/{self.scene}"
+
+    def make(self, folder, rendering, exr):
+        """Write; nothing is rendered."""
+        data, scene = "../../", f"../../{self.scene}"
+        source = self.style.partition("/")[0]
+        content = {
+            "style": f"{data}{self.style}",
+            "guides": [
+                {
+                    "source": f"{data}{source}/{guide}.png",
+                    "view": f"{scene}/{{view}}/{guide}.png",
+                }
+                for guide in self.guides
+            ],
+            "grid": self.rows,
+            "cameras": {view: camera._asdict() for view, camera in self.cameras.items()},
+        }
+        if self.has_motion:
+            content["motion"] = f"{scene}/motion/{{view}}_to_{{other}}.exr"
+            content["motion_convention"] = "own"
+        (folder / "views.json").write_text(json.dumps(content, indent=1) + "\n")

@@ -13,11 +13,14 @@ from data_gen.camera import (
     STAGE_ELEVATION,
     STAGE_VIEW,
 )
-from data_gen.guides import CHAPEL_LIMITS, HOUSE_LIMITS, STAGE_LIMITS
+from data_gen.guides import CHAPEL_LIMITS, HOUSE_LIMITS, LIGHT_PASSES, STAGE_LIMITS
 from data_gen.models import TARGETS, sphere
 from data_gen.models.mesh import turned
-from data_gen.pieces import Motion, MotionOfTurn, Paintings, Sketches, View
+from data_gen.pieces import Motion, MotionOfTurn, Paintings, Sketches, View, ViewsManifest
 from data_gen.stage import chapel_scene, house_scene, on_stage
+
+SIX_GUIDES = ("FULL", "LDE", "LDDE", "LSE", "LIGHTMASK", "WIREFRAME")
+"""Beauty, direct, indirect and reflected light, shadows, wireframe (Hauptfleisch 2020, 2.4.1)."""
 
 _golem = cache(TARGETS["golem"])  # a sculpture takes longer to build than to turn
 
@@ -103,15 +106,42 @@ def _cells():
 
 def _around():
     """The house from its source's height: 0 is the source view itself, then to both sides."""
-    turns = {f"{'minus' if turn < 0 else 'plus'}_{abs(turn)}": turn
-             for turn in (-30, -20, -10, 10, 20, 30)}  # fmt: skip
-    turns = {"0": 0} | turns | {"behind": 180}
-    return tuple(
-        _house_view(
-            f"house_around/{name}", camera=HOUSE.at(SOURCE_AZIMUTH + turn, SOURCE_ELEVATION)
-        )
-        for name, turn in turns.items()
-    )
+    turns = {"0": 0, "behind": 180} | {
+        f"{side}_{turn}": sign * turn
+        for side, sign in (("minus", -1), ("plus", 1))
+        for turn in (10, 20, 30)
+    }
+    cameras = {
+        name: HOUSE.at(SOURCE_AZIMUTH + turn, SOURCE_ELEVATION) for name, turn in turns.items()
+    }
+    views = [_house_view(f"house_around/{name}", camera=c) for name, c in cameras.items()]
+    return *views, _manifest("house_around", _HOUSE, cameras, [tuple(cameras)], has_motion=False)
+
+
+def _painted_grid(name, sketches, view, cameras):
+    """A grid of views of a building, what was drawn over it, and the manifest."""
+    rows = [
+        tuple(_place(*at) for at in cameras if at[0] == row)
+        for row in dict.fromkeys(row for row, _ in cameras)
+    ]
+    by_name = {_place(*at): camera for at, camera in cameras.items()}
+    grid = grid_of_views(name, view, cameras)
+    return sketches, *grid, _manifest(name, sketches, by_name, rows)
+
+
+def _manifest(name, sketches, cameras, rows, has_motion=True):
+    style = f"{sketches.name}/sketches/inked.png"
+    return ViewsManifest(name, style, SIX_GUIDES, cameras, tuple(rows), has_motion)
+
+
+def _animation(frames=16):
+    """The golem turns to the right while the camera moves to the left and rises."""
+    cameras = [STAGE.at(-frame, STAGE_ELEVATION + 0.4 * frame) for frame in range(frames)]
+    pieces = turning("animation", _golem, cameras, degrees=2.0)
+    by_name = {f"{frame:02}": camera for frame, camera in enumerate(cameras)}
+    style = f"{SOURCE.name}/styles/oil.png"
+    manifest = ViewsManifest("animation", style, LIGHT_PASSES, by_name, (tuple(by_name),))
+    return *pieces, manifest
 
 
 def _on_stage(name, model):
@@ -138,38 +168,29 @@ _ALWAYS = {name: (_on_stage(name, model),) for name, model in TARGETS.items()} |
 
 _ON_DEMAND = {
     "turning": turning("turning", _golem, 60 * (STAGE_VIEW,)),
-    "animation": turning(
-        "animation",
-        _golem,
-        tuple(STAGE.at(-frame, STAGE_ELEVATION + 0.4 * frame) for frame in range(16)),
-        degrees=2.0,
-    ),
+    "animation": _animation(),
     "sketched_house": (_HOUSE,),
     "sketched_chapel": (_CHAPEL,),
     "house_around": (_HOUSE, *_around()),
     "house_cells": (_HOUSE, *_cells()),
-    "house_2.5": (
-        _HOUSE,
-        *grid_of_views("house_2.5", _house_view, HOUSE.grid((22.5, 25, 27.5), (10.5, 13, 15.5))),
+    "house_2.5": _painted_grid(
+        "house_2.5", _HOUSE, _house_view, HOUSE.grid((22.5, 25, 27.5), (10.5, 13, 15.5))
     ),
-    "house_10": (
-        _HOUSE,
-        *grid_of_views("house_10", _house_view, HOUSE.grid((15, 25, 35), (3, 13, 23))),
+    "house_5": _painted_grid("house", _HOUSE, _house_view, GRID),
+    "house_10": _painted_grid(
+        "house_10", _HOUSE, _house_view, HOUSE.grid((15, 25, 35), (3, 13, 23))
     ),
-    "house_9x9": (
+    "house_9x9": _painted_grid(
+        "house_9x9",
         _HOUSE,
-        *grid_of_views(
-            "house_9x9",
-            _house_view,
-            HOUSE.grid(
-                [SOURCE_AZIMUTH + 2.5 * step for step in range(-4, 5)],
-                [SOURCE_ELEVATION + 2.5 * step for step in range(-2, 7)],
-            ),
+        _house_view,
+        HOUSE.grid(
+            [SOURCE_AZIMUTH + 2.5 * step for step in range(-4, 5)],
+            [SOURCE_ELEVATION + 2.5 * step for step in range(-2, 7)],
         ),
     ),
-    "chapel": (
-        _CHAPEL,
-        *grid_of_views("chapel", _chapel_view, CHAPEL.grid((10, 15, 20), (8, 13, 18))),
+    "chapel": _painted_grid(
+        "chapel", _CHAPEL, _chapel_view, CHAPEL.grid((10, 15, 20), (8, 13, 18))
     ),
 }
 
