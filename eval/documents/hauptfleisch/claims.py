@@ -1,5 +1,6 @@
 """The claims of the thesis about coherence, and what ours must reach, tested on our numbers."""
 
+from eval.documents.hauptfleisch import architecture
 from eval.documents.hauptfleisch.goals import (
     GOALS,
     LEAST_GRADIENT,
@@ -15,6 +16,7 @@ TITLES = {
     "house": "the house",
     "large": "the house at 600x456",
     "animation": "the animation",
+    "sintel": "two frames of Sintel",
 }
 """What the studies are called."""
 
@@ -33,7 +35,10 @@ def claims(plan):
     -------
     list of Claim
     """
+    sketches = plan.sketches
+    of_sketches = architecture.claims(architecture.table(plan.data, sketches)) if sketches else ()
     return [
+        *of_sketches,
         _alone(plan),
         _promoted(plan),
         _all_at_once(plan),

@@ -2,7 +2,7 @@
 
 from functools import partial
 
-from eval.documents.hauptfleisch import pictures, tables
+from eval.documents.hauptfleisch import architecture, pictures, tables
 from eval.documents.hauptfleisch.claims import TITLES, claims
 from eval.documents.hauptfleisch.plan import METRICS
 from eval.metrics import METRICS as ALL_METRICS
@@ -39,6 +39,7 @@ def _sections(plan, missing, report):
                         claims(plan), report),
         *(block for study in plan.studies.values() for block in _study(study, report)),
         *_styles(plan, report),
+        *(architecture.section(plan.data, plan.sketches, report) if plan.sketches else ()),
         *_costs(plan, report),
         "## What the numbers are",
         definitions([number for name in METRICS for number in ALL_METRICS[name].NUMBERS]),

@@ -2,7 +2,9 @@
 
 from dataclasses import dataclass
 from functools import cached_property
+from pathlib import Path
 
+from eval.documents.hauptfleisch import architecture
 from eval.documents.hauptfleisch.costs import Costs
 from eval.documents.hauptfleisch.goals import GOALS
 from eval.documents.hauptfleisch.presets import Preset
@@ -47,13 +49,17 @@ class Study:
         """The run of a method."""
         return Job(self.frames, Views(METHODS[method], coherence, silhouettes))
 
+    def shown(self, method):
+        """The settings of the pictures: those that are judged, or all if none is."""
+        judged = [goal.coherence for goal in GOALS[self.name]]
+        return [way for way in self.ways[method] if way in judged or not judged]
+
     @property
     def without_silhouettes(self):
         """The settings that are judged, with ref and the motion of surfaces alone."""
         if self.frames.depths is None:
             return []
-        ways = {goal.coherence for goal in GOALS[self.name]} & set(self.ways["ref"])
-        return [self.job("ref", way, silhouettes=False) for way in self.ways["ref"] if way in ways]
+        return [self.job("ref", way, silhouettes=False) for way in self.shown("ref")]
 
     def alone(self, method):
         """The run of a method without coherence: the ceiling of every error."""
@@ -84,12 +90,15 @@ class Plan:
         By name; those whose data is not there are missing.
     styles : dict of str to Study
         The house in every style, that of its own study first.
+    data : Path
+        The data set of the house.
     """
 
     name: str
     preset: Preset
     studies: dict[str, Study]
     styles: dict[str, Study]
+    data: Path
 
     def costs(self, study, method):
         """The time of coherence: frames alone, and at the setting that is judged."""
@@ -98,6 +107,11 @@ class Plan:
         return Job(
             self.studies[study].frames, Costs(params, (ALONE, *settings), self.preset.rounds)
         )
+
+    @property
+    def sketches(self):
+        """Sketches that are studied without motion."""
+        return self.preset.sketches if "house" in self.studies else ()
 
     @property
     def costed(self):
@@ -111,4 +125,5 @@ class Plan:
         for study in (*self.studies.values(), *self.styles.values()):
             tasks[study.floor.file_name] = Task(study.floor, OF_RENDERINGS)
             tasks |= {job.file_name: Task(job, METRICS) for job in study.jobs}
+        tasks |= {task.job.file_name: task for task in architecture.tasks(self.data, self.sketches)}
         return [*tasks.values(), *(Task(self.costs(*each), ()) for each in self.costed)]

@@ -21,6 +21,8 @@ class Preset:
         Studies and methods whose times are compared.
     styles : tuple of str
         Other sketches over the house, with ref at the setting that is judged.
+    sketches : tuple of str
+        Those whose parts of ``--preset architecture`` are switched off.
     """
 
     ways: dict[str, dict[str, tuple[Coherence, ...]]]
@@ -28,6 +30,7 @@ class Preset:
     rounds: int
     costed: tuple[tuple[str, str], ...]
     styles: tuple[str, ...]
+    sketches: tuple[str, ...]
 
 
 _WEIGHTS = tuple(Coherence(weight) for weight in (0.25, 0.5, 1.0, 2.0))
@@ -45,7 +48,9 @@ _ANIMATION = (
     Coherence(1.0, order=SWEEPS),
 )
 
-_FEW = Coherence(1.0), Coherence(1.0, order=SEQUENTIAL)
+_AFTER = Coherence(1.0, order=SEQUENTIAL)
+
+_FEW = Coherence(1.0), _AFTER
 
 PRESETS = {
     "quick": Preset(
@@ -53,17 +58,20 @@ PRESETS = {
             "house": {"ref": _GRID, "stylit": (Coherence(0.5), Coherence(1.0))},
             "large": {"ref": (Coherence(0.5), Coherence(1.0))},
             "animation": {"ref": _ANIMATION, "stylit": _FEW},
+            "sintel": {"ref": (_AFTER,)},
         },
         frames=11,
         rounds=1,
         costed=(("house", "ref"),),
         styles=("hatched", "marker"),
+        sketches=("inked",),
     ),
     "full": Preset(
         ways={
             "house": {"ref": (*_GRID, Coherence(1.0, PLAIN)), "stylit": _GRID},
             "large": {"ref": _WEIGHTS, "stylit": (Coherence(0.5), Coherence(1.0))},
             "animation": {"ref": _ANIMATION, "stylit": _ANIMATION},
+            "sintel": {"ref": (_AFTER,), "stylit": (_AFTER,)},
         },
         frames=16,
         rounds=3,
@@ -71,5 +79,6 @@ PRESETS = {
             (study, method) for study in ("house", "large") for method in ("ref", "stylit")
         ),
         styles=("hatched", "marker", "two_walls", "unshadowed"),
+        sketches=("inked", "hatched", "marker"),
     ),
 }

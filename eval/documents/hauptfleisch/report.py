@@ -7,6 +7,7 @@ from eval.documents.hauptfleisch.goals import GOALS
 from eval.documents.hauptfleisch.page import document
 from eval.documents.hauptfleisch.plan import Plan, Study
 from eval.documents.hauptfleisch.presets import PRESETS
+from eval.documents.hauptfleisch.sintel import FLOW, FRAMES, HIDDEN, read_sintel
 from eval.pages.document import make_document
 from eval.pages.options import add_output, folder_of
 from eval.read_frames import GUIDES, read_frames
@@ -34,6 +35,11 @@ def add_options(parser):
         help="folder whose folders 300x228 and 600x456 are data sets of make data (default "
         "build/data)",
     )  # fmt: skip
+    parser.add_argument(
+        "--sintel", type=Path, metavar="FOLDER",
+        help="folder with frames 2 and 3 of alley_1 of MPI Sintel, their flow and occlusions "
+        f"({', '.join((*FRAMES, FLOW, HIDDEN))})",
+    )  # fmt: skip
     add_output(parser, "hauptfleisch_PRESET")
 
 
@@ -43,7 +49,10 @@ def main(options):
     studies, missing = {}, []
     for name, ways in preset.ways.items():
         try:
-            studies[name] = _study(name, ways, STYLES[name], options.data, preset)
+            if name == "sintel":
+                studies[name] = Study(name, read_sintel(options.sintel), ways)
+            else:
+                studies[name] = _study(name, ways, STYLES[name], options.data, preset)
         except InputError as error:
             missing.append(f"{name} ({error})")
     if not studies:
@@ -54,7 +63,7 @@ def main(options):
         styles = {STYLES["house"]: studies["house"]} | {
             style: _study("house", judged, style, options.data, preset) for style in preset.styles
         }
-    plan = Plan(options.preset, preset, studies, styles)
+    plan = Plan(options.preset, preset, studies, styles, options.data / SIZES["house"])
     return make_document(document(plan, missing), folder_of(options, f"hauptfleisch_{plan.name}"))
 
 

@@ -3,8 +3,6 @@
 The frames are not part of this project: MPI Sintel's, of ``alley_1``, (c) Blender Foundation.
 """
 
-from pathlib import Path
-
 import numpy as np
 from skimage.color import rgb2gray
 from skimage.filters import sobel
@@ -33,7 +31,7 @@ def read_sintel(folder):
 
     Parameters
     ----------
-    folder : Path
+    folder : Path or None
 
     Returns
     -------
@@ -44,9 +42,11 @@ def read_sintel(folder):
     InputError
         If the folder does not hold the frames.
     """
+    if folder is None:
+        raise InputError("--sintel names no folder with its frames")
     for name in (*FRAMES, FLOW, HIDDEN):
-        if not (Path(folder) / name).is_file():
-            raise InputError(f"{folder}: holds no {name} of MPI Sintel")
+        if not (folder / name).is_file():
+            raise InputError(f"{folder}: holds no {name}")
     images = [read_uint8(folder / name) for name in FRAMES]
     hidden = read_uint8(folder / HIDDEN)[..., 0] > 127
     forward = read_motion(folder / FLOW).forward

@@ -59,7 +59,7 @@ def tiny(monkeypatch):
     monkeypatch.setattr(report_module, "read_frames", tiny_frames)
     monkeypatch.setattr(plan_module, "METHODS", {"ref": Params(**EFFORT)})
     monkeypatch.setitem(
-        report_module.PRESETS, "quick", Preset(few, 3, 1, (("house", "ref"),), ("marker",))
+        report_module.PRESETS, "quick", Preset(few, 3, 1, (("house", "ref"),), ("marker",), ())
     )
 
 
@@ -108,6 +108,7 @@ def test_without_any_data_it_is_said_what_is_missing(tmp_path, monkeypatch, caps
     assert main(["hauptfleisch"]) == 2
     error = capsys.readouterr().err
     assert error.count("holds no manifest.json; render it with 'make data'") == 3
+    assert "--sintel names no folder" in error
     assert not Path("build").exists()
 
 
