@@ -8,6 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from stylit_ref.views.frames import Motion
+from stylit_ref.views.motion.silhouettes import along_silhouettes, silhouettes_of
 
 
 @dataclass(frozen=True)
@@ -25,10 +26,10 @@ class FrameSet:
         Where the points of frame ``to`` appear in frame ``other``, by ``(to, other)``.
     renderings : (F, H, W, 3) uint8
         The frames as they were rendered; seen by metrics alone.
+    depths : (F, H, W) float32, optional
+        Farther is larger, 0 where nothing is.
     ids : (F, H, W, n) uint8, optional
         A colour for each thing; seen by metrics alone.
-    nearness : (F, H, W) uint8, optional
-        The larger, the nearer; seen by metrics alone.
     """
 
     name: str
@@ -37,8 +38,8 @@ class FrameSet:
     guides: tuple[tuple[np.ndarray, ...], ...]
     edges: Mapping[tuple[int, int], Motion]
     renderings: np.ndarray
+    depths: np.ndarray | None = None
     ids: np.ndarray | None = None
-    nearness: np.ndarray | None = None
 
     @property
     def frames(self):
@@ -58,18 +59,32 @@ class FrameSet:
         return self.frames * height * width
 
     @cached_property
+    def edges_of_strokes(self):
+        """The motion, where strokes beside silhouettes move with what they belong to.
+
+        Without depths it is that of the surfaces, ``edges``.
+        """
+        if self.depths is None:
+            return dict(self.edges)
+        found = [silhouettes_of(depth) for depth in self.depths]
+        return {
+            (to, other): along_silhouettes(motion, found[to], found[other])
+            for (to, other), motion in self.edges.items()
+        }
+
+    @cached_property
     def digest(self):
         """Identifies what methods see."""
         motion = (part for pair in sorted(self.edges) for part in self.edges[pair])
         guides = (guide for frame in self.guides for guide in frame)
         pairs = np.array(sorted(self.edges))
-        return _digest((self.style, *self.source_guides, *guides, pairs, *motion))
+        depths = () if self.depths is None else (self.depths,)
+        return _digest((self.style, *self.source_guides, *guides, pairs, *motion, *depths))
 
     @cached_property
     def digest_of_ids(self):
         """Identifies what metrics see beside that."""
-        seen = self.renderings, self.ids, self.nearness
-        return _digest(part for part in seen if part is not None)
+        return _digest((self.renderings, *(() if self.ids is None else (self.ids,))))
 
 
 def _digest(arrays):

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
+from data_gen.guides import CHAPEL_LIMITS, HOUSE_LIMITS, STAGE_LIMITS
 from data_gen.manifest import DataError, Manifest
 from data_gen.multilayer_exr import read_layers
 from eval.frame_sets import FrameSet
@@ -13,6 +14,8 @@ from stylit_ref.views.frames import Motion
 
 GUIDES = ("FULL", "LDE", "LDDE", "LSE", "LIGHTMASK", "WIREFRAME")
 """The thesis' six (2.4.1): beauty, direct, indirect and reflected light, shadows, wireframe."""
+
+_LIMITS = {"house": HOUSE_LIMITS, "chapel": CHAPEL_LIMITS}
 
 
 def read_frames(scene, style, data, guides=GUIDES, frames=None):
@@ -74,9 +77,17 @@ def _read(scene, style, manifest, guides, count):
         guides=tuple(images(view, guides) for view in views),
         edges=_edges(manifest, scene, [view.rpartition("/")[2] for view in views]),
         renderings=np.stack([images(view, ["FULL"])[0] for view in views]),
+        depths=np.stack([_depth(images(view, ["DEPTH"])[0], scene) for view in views]),
         ids=np.stack([images(view, ["IDMASK"])[0] for view in views]),
-        nearness=np.stack([images(view, ["DEPTH"])[0][..., 0] for view in views]),
     )
+
+
+def _depth(image, scene):
+    """Depth in the units of the stage, 0 where nothing is, or something beyond its limits."""
+    limits = _LIMITS.get(scene.partition("_")[0], STAGE_LIMITS)
+    nearness = image[..., 0].astype(np.float32) / 255
+    depth = limits.far - nearness * np.float32(limits.far - limits.near)
+    return np.where(nearness > 0, depth, np.float32(0))
 
 
 def _is_painted(file):

@@ -25,10 +25,13 @@ class Views:
     params : Params
     coherence : Coherence
         With a weight of 0, every frame is stylized by itself.
+    silhouettes : bool
+        Whether strokes beside silhouettes move with what they belong to, where depth is known.
     """
 
     params: Params = field(default_factory=Params)
     coherence: Coherence = field(default_factory=Coherence)
+    silhouettes: bool = True
 
     @property
     def name(self):
@@ -36,7 +39,8 @@ class Views:
         how = self.coherence
         if not how.weight:
             return f"{self.params.method}, alone"
-        return f"{self.params.method}, {how.order}, λ = {how.weight:g} {how.form}"
+        rule = "" if self.silhouettes else ", without silhouettes"
+        return f"{self.params.method}, {how.order}, λ = {how.weight:g} {how.form}{rule}"
 
     @property
     def code(self):
@@ -70,6 +74,8 @@ class Views:
             all threads.
         """
         compile_kernels(scene, self.params, self.coherence)
+        if self.silhouettes and self.coherence.weight:
+            scene = replace(scene, edges=scene.edges_of_strokes)
         wall, cpu = time.perf_counter(), time.process_time()
         results = stylized(scene, self.params, self.coherence, seed)
         wall, cpu = time.perf_counter() - wall, time.process_time() - cpu
@@ -119,6 +125,7 @@ def compile_kernels(scene, params, coherence):
         source_guides=tuple(guide[corner] for guide in scene.source_guides),
         guides=tuple(tuple(guide[corner] for guide in frame) for frame in scene.guides[:2]),
         edges={(0, 1): still, (1, 0): still} if coherence.weight else {},
+        depths=None,
     )
     few = replace(params, levels=2, votes=1, patchmatch_iterations=1, uniformity=1e4)
     stylized(small, few, coherence)

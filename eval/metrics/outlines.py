@@ -1,7 +1,7 @@
 """Whether outlines are still drawn beside the silhouettes that they leave."""
 
 import numpy as np
-from scipy.ndimage import maximum_filter
+from scipy.ndimage import minimum_filter
 
 from eval.frame_sets import FrameSet
 from eval.metrics.gradient import luma
@@ -17,41 +17,42 @@ DEFINITION = """\
 WIDTH_OF_ROWS = 3 / 228
 """Width of the band over the height of a frame."""
 
-STEP = 8
-"""How much nearer, in 8-bit steps, another thing must be for its silhouette to count."""
+STEP = 1.05
+"""How many times as far a thing must lie, for the silhouette of what is before it to count."""
 
 
 def measure(scene, outcome):
-    """The share of dark pixels in all frames, if ids and nearness are known."""
-    if not isinstance(scene, FrameSet) or scene.ids is None or scene.nearness is None:
+    """The share of dark pixels in all frames, if ids and depth are known."""
+    if not isinstance(scene, FrameSet) or scene.ids is None or scene.depths is None:
         return {}
-    bands = np.stack([band(ids, near) for ids, near in zip(scene.ids, scene.nearness, strict=True)])
+    bands = np.stack([band(ids, depth) for ids, depth in zip(scene.ids, scene.depths, strict=True)])
     return {"outlines": dark_share(outcome.image, bands, scene.style)} if bands.any() else {}
 
 
-def band(ids, nearness):
+def band(ids, depth):
     """Pixels beside something nearer that is another thing.
 
     Parameters
     ----------
     ids : (H, W, n) uint8
         A colour for each thing.
-    nearness : (H, W) uint8
-        The larger, the nearer.
+    depth : (H, W) float32
+        Farther is larger, 0 where nothing is.
 
     Returns
     -------
     (H, W) bool
     """
-    radius = max(1, round(WIDTH_OF_ROWS * nearness.shape[0]))
+    radius = max(1, round(WIDTH_OF_ROWS * depth.shape[0]))
     reach = np.hypot(*np.mgrid[-radius : radius + 1, -radius : radius + 1]) <= radius
     colours, parts = np.unique(ids.reshape(-1, ids.shape[-1]), axis=0, return_inverse=True)
-    parts = parts.reshape(nearness.shape)
-    found = np.zeros(nearness.shape, np.bool_)
+    parts = parts.reshape(depth.shape)
+    depth = np.where(depth > 0, depth, np.inf)
+    found = np.zeros(depth.shape, np.bool_)
     for part in range(len(colours)):
-        others = np.where(parts == part, 0, nearness).astype(int)
-        beside = maximum_filter(others, footprint=reach, mode="nearest")
-        found |= (parts == part) & (beside >= nearness.astype(int) + STEP)
+        others = np.where(parts == part, np.inf, depth)
+        beside = minimum_filter(others, footprint=reach, mode="nearest")
+        found |= (parts == part) & (STEP * beside <= depth) & (beside < np.inf)
     return found
 
 

@@ -11,14 +11,15 @@ LAGS = (1, 2, 5, 10)
 NUMBERS = {
     "warping" if lag == 1 else f"warping_{lag}": Number(f"warping error, lag {lag}", "{:.2f}")
     for lag in LAGS
-}
+} | {"strokes": Number("warping error of strokes", "{:.2f}")}
 
 DEFINITION = """\
 - **warping error**: mean absolute difference between the value of a pixel and that of its point in
   a neighbouring frame, in 8-bit steps, over channels and the pixels that the neighbour shows, then
   over both directions of every edge. The nearest pixel is taken: interpolation would hide flicker.
   At a **lag** of 2 or more the frames are so many edges apart, and the motion along them is
-  composed."""
+  composed. **of strokes**: at lag 1, where pixels beside a silhouette take the motion of what is
+  nearer: outlines that leave their thing and move with it count as still."""
 
 
 def measure(scene, outcome):
@@ -26,10 +27,12 @@ def measure(scene, outcome):
     if not isinstance(scene, FrameSet):
         return {}
     numbers = {}
-    for name, lag in zip(NUMBERS, LAGS, strict=True):
+    for name, lag in zip(NUMBERS, LAGS, strict=False):  # the last name is of no lag
         paths = pairs_apart(scene.edges, scene.frames, lag)
         if paths:
             numbers[name] = warping_error(outcome.image, scene.edges, paths)
+    if scene.depths is not None:
+        numbers["strokes"] = warping_error(outcome.image, scene.edges_of_strokes, list(scene.edges))
     return numbers
 
 

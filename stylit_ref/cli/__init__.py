@@ -18,7 +18,9 @@ from stylit_ref.cli import (
     replay,
     replay_texture,
     run,
+    sequence,
     texture,
+    views,
     warm_up,
 )
 from stylit_ref.cli.notes import notes_on_stderr
@@ -40,6 +42,8 @@ small picture of it:
 COMMANDS = (
     example,
     run,
+    sequence,
+    views,
     replay,
     texture,
     edit_texture,
@@ -87,8 +91,9 @@ def main(arguments: list[str] | None = None) -> int:
     except MemoryError:
         print("stylit-ref: there is not enough memory for images of this size", file=sys.stderr)
         return 2
-    except KeyboardInterrupt:
-        print("stylit-ref: interrupted; no half-written file is left", file=sys.stderr)
+    except KeyboardInterrupt as error:
+        left = str(error) or "no half-written file is left"
+        print(f"stylit-ref: interrupted; {left}", file=sys.stderr)
         return 130
 
 

@@ -8,16 +8,26 @@ from pathlib import Path
 from stylit_ref.cli.parameter_options import parsed
 from stylit_ref.errors import InputError
 from stylit_ref.files.disk.paths import split_layer
+from stylit_ref.files.disk.patterns import is_pattern
 from stylit_ref.files.guides.encoding import GuideEncoding
 from stylit_ref.files.realtime_field import read_any_field
 from stylit_ref.parameters import Number
 
 
-def add_guide_options(group: argparse._ArgumentGroup) -> None:
-    """Add them."""
+def add_guide_options(
+    group: argparse._ArgumentGroup, target: str = "TARGET", of_what: str = "of the target"
+) -> None:
+    """Add them.
+
+    Parameters
+    ----------
+    group : argparse._ArgumentGroup
+    target, of_what : str
+        What the second file is called in the help, and what it is of.
+    """
     group.add_argument(
-        "--guide", nargs=2, action="append", required=True, metavar=("SOURCE", "TARGET"),
-        help="a render pass of what was painted, and the same pass of the target; repeat --guide "
+        "--guide", nargs=2, action="append", required=True, metavar=("SOURCE", target),
+        help=f"a render pass of what was painted, and the same pass {of_what}; repeat --guide "
         "for each pass",
     )  # fmt: skip
     group.add_argument(
@@ -51,15 +61,32 @@ def guide_files(options: argparse.Namespace) -> list[tuple[str, str]]:
     InputError
         If a file is not there.
     """
+    for path in (path for pair in options.guide for path in pair):
+        _refuse_pattern(path)
+    sides = (files_of_side(options, paths) for paths in zip(*options.guide, strict=True))
+    return list(zip(*sides, strict=True))
+
+
+def files_of_side(options: argparse.Namespace, paths: Sequence[str]) -> list[str]:
+    """The file of each guide on one side, with its layer where ``--guide-layers`` names some.
+
+    Parameters
+    ----------
+    options : argparse.Namespace
+    paths : sequence of str
+        A file for each ``--guide``, or a folder.
+
+    Raises
+    ------
+    InputError
+        If a file is not there.
+    """
     files = []
-    for number, (source, target) in enumerate(options.guide):
+    for number, path in enumerate(paths):
         layers = options.guide_layers.get(number)
-        if layers:
-            files += [(_layer_of(source, layer), _layer_of(target, layer)) for layer in layers]
-        elif Path(source).is_dir():
-            raise InputError(f"{source}: is a folder; name its images with --guide-layers")
-        else:
-            files.append((source, target))
+        if not layers and Path(path).is_dir():
+            raise InputError(f"{path}: is a folder; name its images with --guide-layers")
+        files += [_layer_of(path, layer) for layer in layers] if layers else [path]
     return files
 
 
@@ -92,6 +119,19 @@ def guide_encoding(options: argparse.Namespace) -> str | Sequence[GuideEncoding]
     if not encodings:
         raise InputError(f"{chosen}: does not say how the guides of its run were encoded")
     return encodings
+
+
+def _refuse_pattern(path):
+    """Refuse a name with a placeholder, unless a file or folder has that very name."""
+    if not is_pattern(path) or Path(path).is_dir():
+        return
+    try:
+        split_layer(path)
+    except InputError:
+        raise InputError(
+            f"{path}: stands for the files of many frames; 'stylit-ref sequence' takes such names "
+            "and stylizes every frame"
+        ) from None
 
 
 def _layer_of(path, layer):

@@ -43,8 +43,13 @@ class ImagesIn(NamedTuple):
 
 def add_input_options(group: argparse._ArgumentGroup) -> None:
     """Add the options that name them."""
-    group.add_argument("--style", required=True, metavar="IMAGE", help="the painting")
+    add_style_option(group)
     add_guide_options(group)
+
+
+def add_style_option(group: argparse._ArgumentGroup) -> None:
+    """Add ``--style``."""
+    group.add_argument("--style", required=True, metavar="IMAGE", help="the painting")
 
 
 def add_mask_options(group: argparse._ArgumentGroup) -> None:

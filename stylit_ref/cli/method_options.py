@@ -20,30 +20,34 @@ SPELLED = {
 }
 """Options that are not spelled as their parameters: users of ebsynth and StyLit know them so."""
 
+_DENSE_PRESETS = (
+    "final: the finished picture; fast: a preview, close to the eye, a thirteenth of the work; "
+    "thesis: as final, with the 6 levels of the thesis; architecture: --method stylit as sketches "
+    "of buildings need it (default final)"
+)
+_REALTIME_PRESETS = (
+    "; of --method realtime best: the better picture; quick: six tenths of the time; simple, "
+    "optimized: the two methods of Heidrich's thesis (default best)"
+)
+
 _OTHERS = "method", "guide_weights"
 """Parameters whose options are made by hand: ``--weight`` stands beside its guide."""
 
 
-def add_method(group: argparse._ArgumentGroup) -> None:
-    """Add ``--method``."""
-    texts = "; ".join(f"{name}: {offer.text}" for name, offer in OFFERS.items())
+def add_method(group: argparse._ArgumentGroup, methods: Collection[str] = tuple(OFFERS)) -> None:
+    """Add ``--method`` with a choice of these; the first is the default."""
+    texts = "; ".join(f"{name}: {OFFERS[name].text}" for name in methods)
     group.add_argument(
         "--method", metavar="NAME",
-        help=f"{texts} (default {next(iter(OFFERS))}, or that of the preset)",
+        help=f"{texts} (default {next(iter(methods))}, or that of the preset)",
     )  # fmt: skip
 
 
-def add_preset(group: argparse._ArgumentGroup) -> None:
-    """Add ``--preset``."""
-    presets = dict.fromkeys(name for offer in OFFERS.values() for name in offer.presets)
-    group.add_argument(
-        "--preset", choices=presets,
-        help="final: the finished picture; fast: a preview, close to the eye, a thirteenth of the "
-        "work; thesis: as final, with the 6 levels of the thesis; architecture: --method stylit as "
-        "sketches of buildings need it (default final); of --method realtime best: the better "
-        "picture; quick: six tenths of the time; simple, optimized: the two methods of Heidrich's "
-        "thesis (default best)",
-    )  # fmt: skip
+def add_preset(group: argparse._ArgumentGroup, methods: Collection[str] = tuple(OFFERS)) -> None:
+    """Add ``--preset`` with those of these methods."""
+    presets = dict.fromkeys(name for method in methods for name in OFFERS[method].presets)
+    of_realtime = _REALTIME_PRESETS if "realtime" in methods else ""
+    group.add_argument("--preset", choices=presets, help=f"{_DENSE_PRESETS}{of_realtime}")
 
 
 def add_parameters(

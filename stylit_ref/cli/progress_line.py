@@ -9,12 +9,13 @@ from tqdm import tqdm
 from stylit_ref.machine.kernel import Specialization, compile_missing
 from stylit_ref.stylization.progress import Step
 
+_PREPARATION = "{desc} {n_fmt} of {total_fmt} |{bar}| {elapsed}"
 _COMPILATION = "{desc} |{bar}| {elapsed}"
 _RUN = "{percentage:3.0f}% |{bar}| {elapsed}<{remaining}  {desc}"
 
 
 class ProgressLine:
-    """One line on stderr: the kernels that are compiled, if any are, then the run.
+    """One line on stderr: frames that are looked at, kernels that are compiled, then the run.
 
     Each begins a bar of its own when it has something to tell, so that notes and refusals before it
     find an empty line, and the estimate of the run knows of nothing but the run.
@@ -65,6 +66,12 @@ class ProgressLine:
         self._bar.n = number - 1
         self._bar.set_description_str(told)
 
+    def look(self, number: int, count: int) -> None:
+        """Tell that so many of the frames have been looked at, before any is stylized."""
+        if number == 0:
+            self._open(_PREPARATION, desc="looking at frames", total=count, leave=False)
+        self._bar.update(number - self._bar.n)
+
     def step(self, step: Step) -> None:
         """Tell a step of the run."""
         told = _place(step)
@@ -79,6 +86,11 @@ class ProgressLine:
             self._open(_RUN, desc=told, total=1.0, initial=done)
         self._bar.set_description_str(told, refresh=False)
         self._bar.update(done - self._bar.n)
+
+    def wrote(self, path: str, number: int, count: int) -> None:
+        """Tell that a file of several is written, where no line shows how far the work is."""
+        if not self.is_shown and not self._quiet:
+            print(f"wrote {path}, {number} of {count}", file=sys.stderr, flush=True)
 
     def _open(self, layout, **settings):
         self._close()

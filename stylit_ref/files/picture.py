@@ -17,6 +17,7 @@ from stylit_ref.files.layers.cryptomatte import (
     read_labels,
     read_matte,
 )
+from stylit_ref.files.layers.layer import Layer
 from stylit_ref.files.layers.names import find_layer
 from stylit_ref.files.layers.pixels import read_layer
 from stylit_ref.notes import note
@@ -101,6 +102,34 @@ def read_picture(path: str | Path, *, is_guide: bool = False) -> Picture:
         pixels = _colours_of_luminance(pixels)
     known_as = _last(layer.name) if name and layer.name else file.name
     return Picture(pixels, alpha_channel, layer.is_light, known_as, layer.words)
+
+
+def plain_layer(path: str | Path) -> Layer | None:
+    """The layer that a path names, where its header tells all but the values of its pixels.
+
+    Parameters
+    ----------
+    path : str or Path
+        As of :func:`read_picture`.
+
+    Returns
+    -------
+    Layer or None
+        None if it has alpha, whose values decide whether it counts; and of mattes and labels.
+
+    Raises
+    ------
+    InputError
+        If its file cannot be read, or has no such layer.
+    """
+    file, name = split_layer(path)
+    contents = contents_of(file)
+    cryptomattes = cryptomattes_of(contents)
+    if find_cryptomatte(name, cryptomattes) or find_matte(file, name, cryptomattes):
+        return None
+    layer = find_layer(file, name, contents)
+    has_more = layer.alpha_channel is not None or layer.is_deep or layer.roles[0] == "INK0"
+    return None if has_more or "uint" in layer.types else layer
 
 
 def _last(name):

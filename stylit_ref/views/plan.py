@@ -62,7 +62,7 @@ class Plan:
                     yield [Task(frame, level, vote)]
             return
         for level, vote in self._iterations():
-            back = self.order == SWEEPS and vote % 2 == 0
+            back = self.order == SWEEPS and vote > 0 and vote % 2 == 0
             yield [Task(frame, level, vote) for frame in self.frames[:: -1 if back else 1]]
 
     def tasks(self) -> Iterator[Task]:

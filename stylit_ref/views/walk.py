@@ -111,10 +111,11 @@ class Walk:
         with using_threads(self._threads):
             state = self._bench.make(task, reads[before] if before else None, pictures)
         self._folder.put(self._keys[task], state)
-        if task == self.plan.last(task.frame):
+        is_last = task == self.plan.last(task.frame)
+        if is_last:
             self._bench.forget(task.frame)
-            if self.plan.order == SEQUENTIAL:
-                self._forget_all_but_last(task.frame)
+        if is_last and self.plan.order == SEQUENTIAL:
+            self._forget_all_but_last(task.frame)
         elif before and (older := self.plan.before(before)):
             self._folder.forget(self._keys[older])
         return True

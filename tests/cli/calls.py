@@ -13,6 +13,14 @@ def run(folder, *more, style="style.png", guides=("source_{}.png", "target_{}.pn
     return main([*command, *QUICK, *map(str, more)])
 
 
+def sequence(folder, *more, guides=2):
+    """Call ``sequence`` on the shot's files; ``more`` comes after them."""
+    command = ["sequence", "--style", f"{folder}/style.png", "--output", f"{folder}/out.%04d.png"]
+    for k in range(guides):
+        command += ["--guide", f"{folder}/source_{k}.png", f"{folder}/target_{k}.%04d.png"]
+    return main([*command, *QUICK, *map(str, more)])
+
+
 def refused(capsys, code):
     """The one sentence a refusal printed."""
     assert code == 2

@@ -12,16 +12,9 @@ from stylit_ref import InputError, write_image
 from stylit_ref.views.frames import grid_pairs
 
 
-@pytest.fixture
-def style(tmp_path):
-    """A painting of the house."""
-    write_image(tmp_path / "wash.png", np.full((228, 300, 3), 99, np.uint8))
-    return tmp_path / "wash.png"
-
-
-def test_the_bundled_house_is_a_grid(style):
-    house = read_frames("house", str(style), BUNDLED)
-    assert (house.name, house.frames, house.size) == ("house_wash", 9, "300x228")
+def test_the_bundled_house_is_a_grid():
+    house = read_frames("house", "oil", BUNDLED)
+    assert (house.name, house.frames, house.size) == ("house_oil", 9, "300x228")
     assert list(map(len, house.guides)) == [len(GUIDES)] * 9
     assert house.edges.keys() == set(grid_pairs(3, 3))
     right, wrong = (
@@ -30,13 +23,18 @@ def test_the_bundled_house_is_a_grid(style):
     )
     assert right < 3 < wrong
     np.testing.assert_array_equal(house.renderings[4], house.guides[4][0])
+    assert 16 < np.median(house.depths[4][house.depths[4] > 0]) < 24
+    assert (house.depths == 0).any()
 
 
-def test_of_a_sequence_the_first_frames_are_read(tmp_path, style):
+def test_of_a_sequence_the_first_frames_are_read(tmp_path):
     manifest = Manifest.open(tmp_path / "shot")
-    for name in ("source", "walk/00", "walk/01", "walk/02"):
+    for name in ("sketched_walk", "walk/00", "walk/01", "walk/02"):
         folder = manifest.folder / name
         folder.mkdir(parents=True)
+        if name == "sketched_walk":
+            (folder / "sketches").mkdir()
+            write_image(folder / "sketches/wash.png", np.full((5, 7, 3), 99, np.uint8))
         for layer in ("FULL", "IDMASK", "DEPTH"):
             write_image(folder / f"{layer}.png", np.full((5, 7, 1), int(name[-1], 36), np.uint8))
         manifest.add(name)
@@ -46,16 +44,17 @@ def test_of_a_sequence_the_first_frames_are_read(tmp_path, style):
         file = manifest.folder / f"walk/motion/{to:02}_to_{other:02}.exr"
         write_layers(file, {name: np.float32(layer) for name, layer in layers.items()})
     manifest.add("walk/motion")
-    walk = read_frames("walk", str(style), manifest.folder, ("FULL",), 2)
+    walk = read_frames("walk", "wash", manifest.folder, ("FULL",), 2)
+    assert (walk.style == 99).all()
     assert [int(frame[0][0, 0, 0]) for frame in walk.guides] == [0, 1]
     assert walk.edges.keys() == {(0, 1), (1, 0)}
     np.testing.assert_array_equal(walk.edges[1, 0].visible, np.eye(5, 7) > 0)
 
 
-def test_what_is_not_there_is_one_sentence(tmp_path, style):
+def test_what_is_not_there_is_one_sentence(tmp_path):
     with pytest.raises(InputError, match="holds no views of castle"):
-        read_frames("castle", str(style), BUNDLED)
-    with pytest.raises(InputError, match=r"does not list house/source/styles/oil.png"):
-        read_frames("house", "oil", BUNDLED)
+        read_frames("castle", "oil", BUNDLED)
+    with pytest.raises(InputError, match=r"no style gouache over source; there are crayon, oil"):
+        read_frames("house", "gouache", BUNDLED)
     with pytest.raises(InputError, match="holds no manifest"):
-        read_frames("house", str(style), tmp_path)
+        read_frames("house", "oil", tmp_path)

@@ -1,12 +1,13 @@
 """The claims of the thesis about coherence, and what ours must reach, tested on our numbers."""
 
+from eval.documents.hauptfleisch import architecture
 from eval.documents.hauptfleisch.goals import (
     GOALS,
     LEAST_GRADIENT,
     LEAST_OUTLINES,
     MOST_GUIDES,
 )
-from eval.documents.hauptfleisch.tables import costs
+from eval.documents.hauptfleisch.tables import costs, of_floor, styles
 from eval.pages.claims import OPEN, Claim, verdict
 from eval.runs.store import numbers_of
 from stylit_ref.views.params import PARALLEL, PLAIN, SEQUENTIAL, SWEEPS, Coherence
@@ -15,6 +16,7 @@ TITLES = {
     "house": "the house",
     "large": "the house at 600x456",
     "animation": "the animation",
+    "sintel": "two frames of Sintel",
 }
 """What the studies are called."""
 
@@ -33,7 +35,10 @@ def claims(plan):
     -------
     list of Claim
     """
+    sketches = plan.sketches
+    of_sketches = architecture.claims(architecture.table(plan.data, sketches)) if sketches else ()
     return [
+        *of_sketches,
         _alone(plan),
         _promoted(plan),
         _all_at_once(plan),
@@ -45,6 +50,8 @@ def claims(plan):
             for goal in goals
             for claim in _goals(plan, study, goal)
         ),
+        _every_style(plan),
+        _silhouettes(plan),
         *(_cost(plan, study) for study in ("house", "large")),
     ]
 
@@ -172,7 +179,11 @@ def _goals(plan, study, goal):
             "ours",
             verdict(held) if found else OPEN,
             "it is so with every method of the preset",
-            (_said(found) + _elsewhere(plan, study, number, goal)) if found else _WITHOUT_DATA,
+            "; ".join(
+                [_said(found), *_elsewhere(plan, study, number, goal), *_floor(plan, study, number)]
+            )
+            if found
+            else _WITHOUT_DATA,
         )
 
 
@@ -184,7 +195,62 @@ def _elsewhere(plan, study, number, goal):
         if (way.form, way.order) == ("norm", goal.coherence.order) and way != goal.coherence
     }
     others = ", ".join(f"{ratio:.2f} at {weight:g}" for weight, ratio in sorted(found.items()))
-    return f"; ref elsewhere {others}" if others else ""
+    return [f"ref elsewhere {others}"] if others else []
+
+
+def _floor(plan, study, number):
+    """What the error of renderings would be if they were as steep as frames alone."""
+    if number != "warping":
+        return []
+    study = plan.studies[study]
+    shares = ", ".join(
+        f"{method} {1 / of_floor(study, study.alone(method)):.2f}" for method in study.ways
+    )
+    return [f"renderings as steep as these frames would have {shares}"]
+
+
+def _every_style(plan):
+    goal = GOALS["house"][0]
+    rows = styles(plan).to_dict("records")
+    held = all(
+        row["of alone"] <= 1 / goal.calmer
+        and row["gradient"] >= LEAST_GRADIENT
+        and row["outlines"] >= LEAST_OUTLINES
+        and row["guides"] <= MOST_GUIDES
+        for row in rows
+    )
+    return Claim(
+        "All this holds in every style of the house",
+        "ours",
+        verdict(held) if len(rows) > 1 else OPEN,
+        "with ref all four bounds are kept in every style of the preset",
+        "; ".join(
+            f"{row['style']}: error {row['of alone']:.2f}, gradient {row['gradient']:.2f}, "
+            f"outlines {row['outlines']:.2f}, guides {row['guides']:.2f}"
+            for row in rows
+        )
+        or _WITHOUT_DATA,
+    )
+
+
+def _silhouettes(plan):
+    found = {}
+    for name, study in plan.studies.items():
+        for job in study.without_silhouettes:
+            how = job.method.coherence
+            runs = study.job("ref", how), job, study.alone("ref")
+            ours, without, alone = (numbers_of(run)["outlines"] for run in runs)
+            found[f"{TITLES[name]}, {how.order}"] = ours / alone, without / alone
+    return Claim(
+        "Pixels beside something nearer take its motion, and outlines are kept",
+        "ours",
+        verdict(all(ours >= max(without, LEAST_OUTLINES) for ours, without in found.values()))
+        if found else OPEN,
+        f"with ref at the settings that are judged the dark share of the outline band is at least "
+        f"{LEAST_OUTLINES} of that of frames alone, and not less than without the rule",
+        "; ".join(f"{name}: {ours:.2f}, without {without:.2f}"
+                  for name, (ours, without) in found.items()) or _WITHOUT_DATA,
+    )  # fmt: skip
 
 
 def _cost(plan, study):

@@ -1,23 +1,20 @@
 """What coherence costs: runs in turns, with the time of state files apart."""
 
 import time
-from dataclasses import dataclass
-from tempfile import TemporaryDirectory
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from unittest.mock import patch
 
 import numpy as np
 import pandas as pd
 
 from eval.device import processor
-from eval.methods.views import compile_kernels
+from eval.methods.views import compile_kernels, stylized
 from eval.outcome import Outcome
 from stylit_ref.machine.code_digest import code_digest
 from stylit_ref.stylization.params import Params
 from stylit_ref.views.params import Coherence
-from stylit_ref.views.problem import make_problem
-from stylit_ref.views.shot import ArrayShot
-from stylit_ref.views.walk import Walk
 from stylit_ref.views.work_folder import WorkFolder
-from stylit_ref.views.workbench import Workbench
 
 _CODE = code_digest(__file__, without=("gpu_cuda",))
 
@@ -79,6 +76,7 @@ class Costs:
         """
         for coherence in self.coherences:
             compile_kernels(scene, self.params, coherence)
+        scene = replace(scene, edges=scene.edges_of_strokes)
         begun = time.perf_counter()
         spent = np.full((self.rounds, len(self.coherences), 2), np.inf)
         for turn in spent:
@@ -89,30 +87,29 @@ class Costs:
 
 
 def _cost(scene, params, coherence, seed):
-    with TemporaryDirectory() as folder:
-        states, begun = _TimedFolder(folder), time.process_time()
-        shot = ArrayShot(scene.guides, scene.edges)
-        problem = make_problem(scene.style, scene.source_guides, shot, params, coherence, seed=seed)
-        walk = Walk(problem, states, Workbench(problem))
-        images = [state.picture for _, state in walk.run()]
+    with _timed_state_files() as files:
+        begun = time.process_time()
+        results = stylized(scene, params, coherence, seed)
         whole = time.process_time() - begun
-    return (whole - states.seconds, states.seconds), np.stack(images)
+    return (whole - sum(files), sum(files)), np.stack([result.image for result in results])
 
 
-class _TimedFolder(WorkFolder):
-    """A work folder that knows how much time of the processor it has taken."""
+@contextmanager
+def _timed_state_files():
+    """A list of the seconds of the processor that each reading and writing of a state takes."""
+    seconds = []
 
-    seconds = 0.0
+    def timed(method):
+        def call(*arguments):
+            begun = time.process_time()
+            result = method(*arguments)
+            seconds.append(time.process_time() - begun)
+            return result
 
-    def get(self, key):
-        """As that of the work folder."""
-        begun = time.process_time()
-        state = super().get(key)
-        self.seconds += time.process_time() - begun
-        return state
+        return call
 
-    def put(self, key, state):
-        """As that of the work folder."""
-        begun = time.process_time()
-        super().put(key, state)
-        self.seconds += time.process_time() - begun
+    with (
+        patch.object(WorkFolder, "get", timed(WorkFolder.get)),
+        patch.object(WorkFolder, "put", timed(WorkFolder.put)),
+    ):
+        yield seconds

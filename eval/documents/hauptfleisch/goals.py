@@ -35,5 +35,6 @@ GOALS = {
         Goal(Coherence(1.0, order=SEQUENTIAL), 2.5),
         Goal(Coherence(1.0, order=PARALLEL), 2.0),
     ),
+    "sintel": (),
 }
 """By the study."""

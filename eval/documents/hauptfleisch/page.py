@@ -2,7 +2,7 @@
 
 from functools import partial
 
-from eval.documents.hauptfleisch import pictures, tables
+from eval.documents.hauptfleisch import architecture, pictures, tables
 from eval.documents.hauptfleisch.claims import TITLES, claims
 from eval.documents.hauptfleisch.plan import METRICS
 from eval.metrics import METRICS as ALL_METRICS
@@ -38,6 +38,8 @@ def _sections(plan, missing, report):
         *claims_section("What the thesis says, what ours must reach, and what we found",
                         claims(plan), report),
         *(block for study in plan.studies.values() for block in _study(study, report)),
+        *_styles(plan, report),
+        *(architecture.section(plan.data, plan.sketches, report) if plan.sketches else ()),
         *_costs(plan, report),
         "## What the numbers are",
         definitions([number for name in METRICS for number in ALL_METRICS[name].NUMBERS]),
@@ -66,8 +68,11 @@ def _study(study, report):
     blocks = [
         f"## {TITLES[study.name].capitalize()}",
         report.table(study.name, table, tables.shown(table)),
-        "*of alone* is the warping error over that of frames alone. Seconds of the processor are "
-        "of all frames, each run once, state files included; below they are compared in turns.",
+        "*of alone* is the warping error over that of frames alone. *of floor* is the error over "
+        "that of the renderings, both for a gradient of 1: motion ends between pixels, so that "
+        "even what moves exactly differs by up to half a pixel, the more the steeper it is. "
+        "Seconds of the processor are of all frames, each run once, state files included; below "
+        "they are compared in turns.",
     ]
     for method in study.ways:
         for name, caption, draw in (
@@ -86,6 +91,20 @@ def _study(study, report):
         *blocks,
         f"Changes are shown {pictures.STRENGTH} times larger; grey is what the neighbour does not "
         "show. Previews run forth and back, frames alone to the left.",
+    ]
+
+
+def _styles(plan, report):
+    table = tables.styles(plan)
+    if len(table) < 2:
+        return []
+    return [
+        "## Every style of the house",
+        report.table("styles", table, table.round(2).astype(str)),
+        "With ref, at the setting that is judged. *alone* and *coherent* are warping errors; "
+        "*floor* is what the renderings would have if they were as steep. Gradient, outlines and "
+        "guides are over those of frames alone.",
+        report.figure("styles", "every style", pictures.styles_figure, plan, committed=True),
     ]
 
 

@@ -5,7 +5,7 @@ from PIL import Image
 
 from eval.documents.hauptfleisch.goals import GOALS
 from eval.metrics.warping import change
-from eval.motion_paths import landing
+from eval.motion_paths import cells, landing
 from eval.pages.figures import contact_sheet, detailed_window
 from eval.runs.store import stored
 
@@ -24,6 +24,20 @@ def views_figure(study, method, file):
     rows = [[(f"{name} {frame}", images[frame]) for frame in shown]
             for name, images in _pictures(study, method).items()]  # fmt: skip
     contact_sheet(rows, file, tile=_tile(study))
+
+
+def styles_figure(plan, file):
+    """The middle view in every style: what was painted, alone, and pulled by its neighbours."""
+    coherence = GOALS["house"][0].coherence
+    rows = []
+    for style, study in plan.styles.items():
+        middle = study.frames.frames // 2
+        runs = {"alone": study.alone("ref"), "coherent": study.job("ref", coherence)}
+        rows.append(
+            [(style, study.frames.style)]
+            + [(name, stored(job).image[middle]) for name, job in runs.items()]
+        )
+    contact_sheet(rows, file, tile=300)
 
 
 def crops_figure(study, method, file):
@@ -64,7 +78,7 @@ def changes_figure(study, method, file):
 def preview(study, method, file):
     """Frames alone beside those that pull at each other, forth and back, as an animation."""
     alone, coherent = list(_pictures(study, method).values())[1:3]
-    steps = steps_of(study.frames.frames, is_grid=study.name != "animation")
+    steps = steps_of(study.frames.frames, is_grid=bool(cells(study.frames.edges)))
     frames = [Image.fromarray(np.hstack([alone[step], coherent[step]])) for step in steps]
     frames[0].save(
         file, save_all=True, append_images=frames[1:], duration=MILLISECONDS, loop=0,
@@ -96,13 +110,12 @@ def steps_of(frames, is_grid):
 
 def _pictures(study, method):
     """Images by what they are called: the renderings, alone, and the settings that are judged."""
-    ways = [goal.coherence for goal in GOALS[study.name] if goal.coherence in study.ways[method]]
     return {
         "rendered": study.frames.renderings,
         f"{method}, alone": stored(study.alone(method)).image,
         **{
             f"{method}, {way.order}, λ = {way.weight:g}": stored(study.job(method, way)).image
-            for way in ways
+            for way in study.shown(method)
         },
     }
 

@@ -57,6 +57,15 @@ def split_layer(path: str | Path) -> tuple[Path, str | None]:
     return existing_file(next((file for file, _ in reversed(splits) if file.suffix), text)), None
 
 
+def is_there(path: str | Path) -> bool:
+    """Whether there is such a file; a layer behind its name does not count."""
+    try:
+        split_layer(path)
+    except InputError:
+        return False
+    return True
+
+
 def existing_file(file: str | Path) -> Path:
     """Refuse what is no file.
 

@@ -25,8 +25,17 @@ _HALF_A_STEP = 0.5 / 255
 _LARGEST_FLOAT = float(np.finfo(np.float32).max)
 
 
-class _Values(NamedTuple):
-    """What counts of a picture: its labels, if it has such, or the range of its values."""
+class GuideValues(NamedTuple):
+    """What counts of a picture: its labels, if it has such, or the range of its values.
+
+    Attributes
+    ----------
+    is_float, is_light, is_signed : bool
+        Whether they are floating point, scene-linear light, and of a layer that has a sign.
+    low, high : float
+        The range, but for the share that may be clipped; of integers 0 and 1.
+    labels : frozenset of int, or None
+    """
 
     is_float: bool
     is_light: bool
@@ -62,7 +71,11 @@ def choose_encoding(pictures: Iterable[Picture]) -> GuideEncoding:
     InputError
         If some have labels that others cannot have, or there are too many.
     """
-    found = [_values(picture) for picture in pictures]
+    return encoding_of([values_of(picture) for picture in pictures])
+
+
+def encoding_of(found: Sequence[GuideValues]) -> GuideEncoding:
+    """As :func:`choose_encoding`, of what counts of the pictures."""
     is_light = all(values.is_light for values in found)
     if all(values.labels is not None for values in found):
         return _labels(found)
@@ -96,7 +109,7 @@ def plain_encoding(pictures: Sequence[Picture]) -> GuideEncoding:
     return GuideEncoding("light" if all(picture.is_light for picture in pictures) else "data")
 
 
-def _labels(found: Sequence[_Values]):
+def _labels(found: Sequence[GuideValues]):
     labels = sorted(frozenset().union(*(values.labels or () for values in found)))
     if len(labels) > MOST_LABELS:
         raise InputError(
@@ -109,14 +122,15 @@ def _labels(found: Sequence[_Values]):
     )
 
 
-def _values(picture):
+def values_of(picture: Picture) -> GuideValues:
+    """Look at a picture for what counts of it."""
     labels = None
     if _has_labels(picture):
         labels = frozenset(np.unique(labels_of(picture)).tolist())
     is_float = picture.pixels.dtype == np.float32
     is_signed = not _SIGNED.isdisjoint(picture.words)
     low, high = _range(picture) if is_float else (0.0, 1.0)
-    return _Values(is_float, picture.is_light, is_signed, low, high, labels)
+    return GuideValues(is_float, picture.is_light, is_signed, low, high, labels)
 
 
 def _has_labels(picture):

@@ -114,12 +114,35 @@ def _with_equal_channels(
 ) -> list[NDArray[np.uint8]]:
     has_alpha = [picture.alpha_channel is not None for picture in pictures]
     colours = max(guide.shape[2] - alpha for guide, alpha in zip(encoded, has_alpha, strict=True))
-    guides = []
-    for guide, alpha in zip(encoded, has_alpha, strict=True):
-        if guide.shape[2] - alpha == 1:
-            guide = np.concatenate([guide[:, :, :1]] * colours + [guide[:, :, 1:]], axis=2)
-        if any(has_alpha) and not alpha:
-            opaque = np.full((*guide.shape[:2], 1), 255, np.uint8)
-            guide = np.concatenate([guide, opaque], axis=2)
-        guides.append(guide)
-    return guides
+    return [
+        with_channels(guide, has_alpha=alpha, colours=colours, wants_alpha=any(has_alpha))
+        for guide, alpha in zip(encoded, has_alpha, strict=True)
+    ]
+
+
+def with_channels(
+    guide: NDArray[np.uint8], *, has_alpha: bool, colours: int, wants_alpha: bool
+) -> NDArray[np.uint8]:
+    """A guide with the channels of others: grey is spread to colours, and opaque alpha added.
+
+    Parameters
+    ----------
+    guide : (H, W, n) uint8
+    has_alpha : bool
+        Whether its last channel is alpha.
+    colours : int
+        Channels without alpha that the others have.
+    wants_alpha : bool
+        Whether one of them has alpha.
+
+    Returns
+    -------
+    (H, W, m) uint8
+        With other colours if it has neither one nor ``colours``.
+    """
+    if guide.shape[2] - has_alpha == 1:
+        guide = np.concatenate([guide[:, :, :1]] * colours + [guide[:, :, 1:]], axis=2)
+    if wants_alpha and not has_alpha:
+        opaque = np.full((*guide.shape[:2], 1), 255, np.uint8)
+        guide = np.concatenate([guide, opaque], axis=2)
+    return guide

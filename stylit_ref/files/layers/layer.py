@@ -31,6 +31,8 @@ class Layer:
         Whether a pixel has any number of values, at several depths.
     file_format : str
         Of its file, as OpenImageIO calls it.
+    size : tuple of 2 int
+        Rows and columns of its picture, upright.
     also : tuple of str
         Other names of the layer: of its part, and of its view.
     channels : tuple of Layer
@@ -45,6 +47,7 @@ class Layer:
     types: tuple[str, ...]
     is_deep: bool
     file_format: str
+    size: tuple[int, int]
     also: tuple[str, ...]
     channels: tuple["Layer", ...] = ()
 
@@ -108,11 +111,18 @@ def layers_of_part(
             types,
             spec.deep,
             file_format,
+            _size(spec),
             tuple(also),
         )
         has_own_names = name in ("", prefix)
         channels = [_channel(layer, spec, number, role, has_own_names) for number, role in entries]
         yield replace(layer, channels=tuple(channels))
+
+
+def _size(spec):
+    """Rows and columns of what is shown, as :mod:`stylit_ref.files.layers.pixels` reads it."""
+    size = spec.full_height, spec.full_width
+    return size[::-1] if spec.get_int_attribute("Orientation") in (5, 6, 7, 8) else size
 
 
 def _channel(layer, spec, number, role, has_own_name):

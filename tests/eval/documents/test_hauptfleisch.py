@@ -31,7 +31,7 @@ def tiny_frames(scene, style, data, guides, frames):
     if "600" in str(data):
         raise InputError(f"{data}: holds no manifest.json")
     shot = sliding(COUNTS[scene])
-    renderings = np.stack([each[0] for each in shot.guides])
+    renderings = np.stack([each[0] + np.uint8(k) for k, each in enumerate(shot.guides)])
     edges = shot.edges
     if scene == "house":
         line = slides(renderings.shape[1:3], 4)
@@ -41,9 +41,10 @@ def tiny_frames(scene, style, data, guides, frames):
         }
     halves = np.zeros((*renderings.shape[:3], 1), np.uint8)
     halves[:, :, 20:] = 200
+    depths = np.where(halves[..., 0], np.float32(9), np.float32(18))
     return FrameSet(
         f"{scene}_{style}", shot.style, tuple(shot.sources), tuple(map(tuple, shot.guides)), edges,
-        renderings, halves, halves[..., 0],
+        renderings, depths, halves,
     )  # fmt: skip
 
 
@@ -57,7 +58,9 @@ def tiny(monkeypatch):
     }
     monkeypatch.setattr(report_module, "read_frames", tiny_frames)
     monkeypatch.setattr(plan_module, "METHODS", {"ref": Params(**EFFORT)})
-    monkeypatch.setitem(report_module.PRESETS, "quick", Preset(few, 3, 1, (("house", "ref"),)))
+    monkeypatch.setitem(
+        report_module.PRESETS, "quick", Preset(few, 3, 1, (("house", "ref"),), ("marker",), ())
+    )
 
 
 @pytest.fixture
@@ -76,8 +79,9 @@ def test_every_table_picture_and_claim_is_there_and_nothing_is_done_twice(
     assert shown == set(record["files"]) - {"report.md", "report.html"}
 
     house = pd.read_csv(folder / "house.csv")
-    assert house["method"].tolist() == ["renderings", "ref", "ref", "ref"]
-    assert house["order"].tolist()[1:] == ["alone", "parallel", "parallel"]
+    assert house["method"].tolist() == ["renderings", *4 * ["ref"]]
+    assert house["order"].tolist()[1:] == ["alone", *3 * ["parallel"]]
+    assert house["silhouettes"].fillna("").tolist() == [*4 * [""], "no"]
     assert house["of alone"][1] == 1
     assert (house["round"][1:] > 0).all()
     assert "round" not in pd.read_csv(folder / "animation.csv")
@@ -104,6 +108,7 @@ def test_without_any_data_it_is_said_what_is_missing(tmp_path, monkeypatch, caps
     assert main(["hauptfleisch"]) == 2
     error = capsys.readouterr().err
     assert error.count("holds no manifest.json; render it with 'make data'") == 3
+    assert "--sintel names no folder" in error
     assert not Path("build").exists()
 
 

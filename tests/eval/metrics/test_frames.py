@@ -75,7 +75,7 @@ def test_the_nearest_pixel_is_taken_and_halves_round_up():
 def test_paint_that_moves_with_its_points_has_no_error_at_any_lag():
     images, edges = panorama(11)
     found = numbers("warping", images, edges)
-    assert found == dict.fromkeys(METRICS["warping"].NUMBERS, 0.0)
+    assert found == dict.fromkeys(("warping", "warping_2", "warping_5", "warping_10"), 0.0)
 
 
 def test_paint_that_sticks_to_the_screen_is_bad_at_every_lag():
@@ -108,6 +108,25 @@ def test_both_directions_of_an_edge_count():
     edges = {(0, 1): Motion(still, np.array([[True, True]])),
              (1, 0): Motion(still, np.array([[False, True]]))}  # fmt: skip
     assert warping_error(images, edges, [(0, 1), (1, 0)]) == (4 + 8) / 2
+
+
+def test_an_outline_that_moves_with_its_thing_is_still_as_a_stroke():
+    """A square slides over white ground with a dark rim around it; the ground stands still."""
+    images = np.full((2, HEIGHT, 40, 3), 240, np.uint8)
+    depths = np.full((2, HEIGHT, 40), 20, np.float32)
+    edges = {}
+    for frame, left in enumerate((12, 17)):
+        images[frame, 5:11, left : left + 8] = images[frame, 6:10, left - 1 : left + 9] = 10
+        images[frame, 6:10, left : left + 8] = 130
+        depths[frame, 6:10, left : left + 8] = 10
+    for to, other in sequence_pairs(2):
+        field = np.zeros((HEIGHT, 40, 2), np.float32)
+        field[depths[to] == 10, 0] = 5 * (other - to)
+        hidden = (depths[other] == 10) & (depths[to] == 20)
+        edges[to, other] = Motion(field, ~hidden)
+    found = numbers("warping", images, edges, depths=depths)
+    assert found["strokes"] == 0
+    assert found["warping"] > 5
 
 
 def test_a_drift_shows_at_longer_lags_alone():
@@ -205,44 +224,46 @@ def test_blur_lowers_gradient_and_sharpness():
 
 
 def a_thing_before_the_ground(rows=76):
-    """A square before the ground: ids and nearness; one pixel of band at 76 rows."""
-    ids, nearness = np.zeros((rows, 90, 1), np.uint8), np.full((rows, 90), 50, np.uint8)
-    ids[30:40, 20:50], nearness[30:40, 20:50] = 255, 90
-    return ids, nearness
+    """A square before the ground: ids and depth; one pixel of band at 76 rows."""
+    ids, depth = np.zeros((rows, 90, 1), np.uint8), np.full((rows, 90), 21, np.float32)
+    ids[30:40, 20:50], depth[30:40, 20:50] = 255, 10
+    return ids, depth
 
 
-def test_the_band_lies_beside_the_nearer_thing():
-    found = band(*a_thing_before_the_ground())
+@pytest.mark.parametrize("behind", [21, 0])
+def test_the_band_lies_beside_the_nearer_thing(behind):
+    ids, depth = a_thing_before_the_ground()
+    found = band(ids, np.where(depth == 21, np.float32(behind), depth))
     expected = np.zeros_like(found)
     expected[29, 20:50] = expected[40, 20:50] = expected[30:40, [19, 50]] = True
     np.testing.assert_array_equal(found, expected)
 
 
 def test_the_band_grows_with_the_frame():
-    ids, nearness = a_thing_before_the_ground(228)
-    found = band(ids, nearness)
+    found = band(*a_thing_before_the_ground(228))
     assert found[27:30, 35].all()
     assert not found[26, 35]
 
 
 def test_the_border_of_a_part_that_is_hardly_nearer_is_no_silhouette():
-    ids, nearness = a_thing_before_the_ground()
-    assert not band(ids, np.minimum(nearness, 57)).any()
-    assert band(ids, np.minimum(nearness, 58)).any()
+    ids, depth = a_thing_before_the_ground()
+    assert band(ids, np.maximum(depth, 20)).any()
+    assert not band(ids, np.maximum(depth, 20.01)).any()
+    assert not band(ids, np.zeros_like(depth)).any()
 
 
 def test_a_lost_outline_is_bad():
     """The style is paper with a black line; dark is below the middle of both."""
     style = np.full((76, 90, 3), 240, np.uint8)
     style[:, :9] = 20
-    ids, nearness = a_thing_before_the_ground()
-    outside = band(ids, nearness)
+    ids, depth = a_thing_before_the_ground()
+    outside = band(ids, depth)
     drawn = np.full((1, 76, 90, 3), 240, np.uint8)
     drawn[0, outside] = 20
     assert dark_share(drawn, outside[None], style) == 1
     drawn[0, 29, 20:50] = 131
     assert dark_share(drawn, outside[None], style) == 50 / 80
-    extra = {"ids": ids[None], "nearness": nearness[None]}
+    extra = {"ids": ids[None], "depths": depth[None]}
     assert numbers("outlines", style[None], {}, **extra) == {"outlines": 0}
 
 
@@ -299,5 +320,8 @@ def test_a_frame_set_tells_its_size_and_what_methods_see():
     assert replace(frames, renderings=images + 1).digest == frames.digest
     assert replace(frames, renderings=images + 1).digest_of_ids != frames.digest_of_ids
     hidden = {pair: Motion(m.field, m.visible & False) for pair, m in edges.items()}
-    for changed in ({"edges": hidden}, {"style": images[1]}, {"guides": frames.guides[::-1]}):
+    for changed in (
+        {"edges": hidden}, {"style": images[1]}, {"guides": frames.guides[::-1]},
+        {"depths": images[..., 0]},
+    ):  # fmt: skip
         assert replace(frames, **changed).digest != frames.digest

@@ -1,0 +1,91 @@
+"""The files of a sequence: for each frame, the guides that patterns name."""
+
+import argparse
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from stylit_ref.cli.guide_options import files_of_side
+from stylit_ref.cli.shot_in import refuse_all
+from stylit_ref.errors import InputError
+from stylit_ref.files.disk.frame_ranges import frames_of, range_text
+from stylit_ref.files.disk.patterns import FramePattern, is_pattern
+
+
+class FrameFiles(NamedTuple):
+    """Frames and their files.
+
+    Attributes
+    ----------
+    frames : tuple of int
+        Their numbers, in ascending order.
+    guides : list of list of str
+        For every frame the file of each guide.
+    """
+
+    frames: tuple[int, ...]
+    guides: list[list[str]]
+
+
+def find_frames(options: argparse.Namespace) -> FrameFiles:
+    """The frames that ``--frames`` names, or those on the disk, and their guides.
+
+    Parameters
+    ----------
+    options : argparse.Namespace
+        With ``--guide``, ``--guide-layers`` and ``--frames``.
+
+    Returns
+    -------
+    FrameFiles
+
+    Raises
+    ------
+    InputError
+        If a target has no placeholder, or frames are missing; all that are missing are named.
+    """
+    patterns = [pattern_of(target, "guide") for _, target in options.guide]
+    found = [pattern.frames() for pattern in patterns]
+    wanted = frames_of(options.frames) if options.frames else sorted(set().union(*found))
+    refuse_all(
+        [
+            _why_missing(pattern.text, there, wanted)
+            for pattern, there in zip(patterns, found, strict=True)
+            if not there or not set(wanted).issubset(there)
+        ]
+    )
+    guides, problems = [], []
+    for frame in wanted:
+        try:
+            guides.append(files_of_side(options, [pattern.path(frame) for pattern in patterns]))
+        except InputError as error:
+            problems.append(str(error))
+    refuse_all(problems)
+    return FrameFiles(tuple(wanted), guides)
+
+
+def pattern_of(text: str, parameter: str) -> FramePattern:
+    """The pattern that an option names.
+
+    Raises
+    ------
+    InputError
+        If it has no placeholder.
+    """
+    if not is_pattern(text):
+        raise InputError(
+            f"{text}: names one file; write %04d, #### or $F4 where the number of the frame "
+            "stands, and put the name in quotes",
+            parameter=parameter,
+        )
+    return FramePattern(text)
+
+
+def _why_missing(text: str, there: Sequence[int], wanted: Sequence[int]) -> str:
+    if not there:
+        return f"{text}: there is no file of such a name"
+    return f"{text}: there is no file for {counted(sorted(set(wanted).difference(there)))}"
+
+
+def counted(frames: Sequence[int]) -> str:
+    """Frames as a message names them: ``frame 7``, ``frames 1-9x2``."""
+    return f"{'frame' if len(frames) == 1 else 'frames'} {range_text(frames)}"

@@ -1,0 +1,159 @@
+"""Options that name the motion between the frames of a sequence, and the files they lead to."""
+
+import argparse
+from collections.abc import Sequence
+
+from stylit_ref.cli.frame_files import counted, pattern_of
+from stylit_ref.cli.motion_files import MotionFiles, VectorsOfFrames, VectorsOfPair
+from stylit_ref.cli.shot_in import refuse_missing
+from stylit_ref.errors import InputError
+from stylit_ref.files.disk.paths import is_there
+from stylit_ref.files.disk.patterns import FramePattern
+from stylit_ref.files.motion_file import read_vectors
+from stylit_ref.views.frames import sequence_pairs
+from stylit_ref.views.motion.conventions import (
+    AUTO,
+    BEFORE,
+    NEXT,
+    PROGRAMS,
+    convention_named,
+    convention_of,
+)
+from stylit_ref.views.params import SEQUENTIAL
+
+_NOT_ALONE = "motion_convention", "depth", "ids"
+
+
+def add_motion_options(group: argparse._ArgumentGroup) -> None:
+    """Add them."""
+    group.add_argument(
+        "--motion", metavar="FRAMES",
+        help="motion vectors of the frames: 'shot/vector.%%04d.exr', or 'flow/%%02d_to_%%02d.flo' "
+        "with a file for each pair; without them every frame is stylized by itself",
+    )  # fmt: skip
+    group.add_argument(
+        "--motion-convention", default=AUTO, metavar="NAME",
+        help=f"what the vectors mean: {', '.join(PROGRAMS)}, with changes such as flo-flip-y; auto "
+        "takes what the names in the files say; 'stylit-ref motion check' finds it (default "
+        "%(default)s)",
+    )  # fmt: skip
+    group.add_argument(
+        "--depth", metavar="FRAMES",
+        help="depth of the frames in floating point, where farther is larger; it tells what hides "
+        "what",
+    )  # fmt: skip
+    group.add_argument(
+        "--ids",
+        metavar="FRAMES",
+        help="IDs of the frames, or flat colours; no stroke moves from one thing to another",
+    )
+
+
+def find_motion(
+    options: argparse.Namespace, frames: Sequence[int], order: str
+) -> dict[tuple[int, int], MotionFiles]:
+    """The files that tell the motion between neighbouring frames.
+
+    Parameters
+    ----------
+    options : argparse.Namespace
+    frames : sequence of int
+        Their numbers, in ascending order.
+    order : str
+        Of :class:`stylit_ref.Coherence`; in a sequential one no frame heeds a later one.
+
+    Returns
+    -------
+    dict
+        By ``(to, other)``, places in ``frames``; empty without ``--motion``.
+
+    Raises
+    ------
+    InputError
+        If files are missing, which are all named, or nothing tells their convention.
+    """
+    if not options.motion:
+        for name in _NOT_ALONE:
+            if getattr(options, name) != options.parser.get_default(name):
+                raise InputError("is of use with --motion alone; leave it out", parameter=name)
+        return {}
+    pattern = pattern_of(options.motion, "motion")
+    if options.motion_convention != AUTO:
+        _check_convention(options.motion_convention)
+    beside = [_beside(options, name, frames) for name in ("depth", "ids")]
+    pairs = [
+        (to, other)
+        for to, other in sequence_pairs(len(frames))
+        if other < to or order != SEQUENTIAL
+    ]
+    if pattern.names_pairs:
+        numbers = {(to, other): (frames[to], frames[other]) for to, other in pairs}
+        return _of_pairs(pattern, numbers, options.motion_convention, *beside)
+    vectors = _of_frames(pattern, frames, options.motion_convention)
+    found = {}
+    for to, other in pairs:
+        passed = range(min(frames[to], frames[other]), max(frames[to], frames[other]) + 1)
+        of_frames, *others = (
+            {frame: files[frame] for frame in passed if frame in files}
+            for files in (vectors, *beside)
+        )
+        found[to, other] = VectorsOfFrames(
+            frames[to], frames[other], of_frames, options.motion_convention, *others
+        )
+    return found
+
+
+def _of_pairs(pattern, numbers, convention, depth, ids):
+    """A file for each pair; what leads back helps to see what is hidden."""
+    files = {pair: pattern.path_of_pair(*both) for pair, both in numbers.items()}
+    refuse_missing(files.values())
+    found = {}
+    for pair, path in files.items():
+        first, second = numbers[pair]
+        back = pattern.path_of_pair(second, first)
+        beside = [(files[first], files[second]) if files else None for files in (depth, ids)]
+        found[pair] = VectorsOfPair(path, back if is_there(back) else None, convention, *beside)
+    return found
+
+
+def _of_frames(pattern: FramePattern, frames: Sequence[int], convention: str) -> dict[int, str]:
+    """The files of all frames from the first to the last, those that are left out among them."""
+    there = {frame: pattern.path(frame) for frame in pattern.frames()}
+    if not there:
+        raise InputError(f"{pattern.text}: there is no file of such a name", parameter="motion")
+    if convention == AUTO:
+        first = next(iter(there.values()))
+        leads = convention_of(read_vectors(first), first).leads
+    else:
+        leads = convention_named(convention).leads
+    steps = {lead.step for lead in leads}
+    passed = range(frames[0], frames[-1] + 1)
+    needed = passed[1:] if steps == {BEFORE} else passed[:-1] if steps == {NEXT} else passed
+    missing = [frame for frame in needed if frame not in there]
+    if missing:
+        left_out = set(missing).isdisjoint(frames)
+        why = "; the motion is followed through the frames that --frames leaves out" * left_out
+        raise InputError(
+            f"{pattern.text}: there is no file for {counted(missing)}{why}", parameter="motion"
+        )
+    return {frame: there[frame] for frame in passed if frame in there}
+
+
+def _beside(options, name, frames) -> dict[int, str]:
+    """The files of ``--depth`` or ``--ids``."""
+    text = getattr(options, name)
+    if not text:
+        return {}
+    pattern = pattern_of(text, name)
+    there = pattern.frames()
+    missing = [frame for frame in frames if frame not in there]
+    if missing:
+        raise InputError(f"{text}: there is no file for {counted(missing)}", parameter=name)
+    return {frame: pattern.path(frame) for frame in there}
+
+
+def _check_convention(name):
+    try:
+        convention_named(name)
+    except InputError as error:
+        raise InputError(error.sentence, parameter="motion_convention") from None

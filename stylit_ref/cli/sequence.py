@@ -1,0 +1,84 @@
+"""``stylit-ref sequence``: stylize the frames of an animation so that they do not flicker."""
+
+import argparse
+
+from stylit_ref.cli.frame_files import find_frames, pattern_of
+from stylit_ref.cli.guide_options import add_guide_options, files_of_side
+from stylit_ref.cli.images_in import add_style_option
+from stylit_ref.cli.method_options import chosen_params
+from stylit_ref.cli.motion_in import add_motion_options, find_motion
+from stylit_ref.cli.parser import Parser
+from stylit_ref.cli.shot_in import ShotFiles
+from stylit_ref.cli.shot_options import add_other_outputs, add_shot_options, chosen_coherence
+from stylit_ref.cli.stylize_shot import stylize_shot
+from stylit_ref.views.params import SEQUENCE
+
+_USAGE = (
+    "%(prog)s --style IMAGE --guide SOURCE FRAMES [--guide ...] [--motion FRAMES] --output FRAMES "
+    "[options]"
+)
+
+_DESCRIPTION = """\
+Stylize the frames of an animation. Motion vectors tell where each point was in the frame before,
+and strokes move with it. For instance, with the passes of Blender:
+
+  stylit-ref sequence --preset fast --style painted_sphere.png \\
+      --guide sphere.exr 'shot/scene.%%04d.exr' --guide-layers Combined,DiffDir,IndexOB \\
+      --motion 'shot/scene.%%04d.exr' --motion-convention blender \\
+      --frames 1-100 --output 'out/scene.%%04d.png' --work build/work
+
+FRAMES is a name in quotes with %%04d, #### or $F4 where the number of the frame stands; the folder
+may have one too. Without --motion every frame is stylized by itself, and strokes flicker."""
+
+_ALONE = (
+    "each frame is stylized by itself, so strokes flicker; name the motion of the frames with "
+    "--motion, and they move along"
+)
+
+
+def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
+    """Add the command."""
+    parser = commands.add_parser(
+        "sequence",
+        help="stylize the frames of an animation so that they do not flicker",
+        usage=_USAGE,
+        description=_DESCRIPTION,
+    )
+    parser.set_defaults(command=run, parser=parser)
+    everyday = parser.add_argument_group("everyday options")
+    add_style_option(everyday)
+    add_guide_options(everyday, "FRAMES", "of the frames")
+    everyday.add_argument(
+        "--frames", metavar="RANGE",
+        help="frames to stylize: 1-100, every second one of them 1-100x2, and one more "
+        "1-100x2,120 (default: all for which there are files)",
+    )  # fmt: skip
+    everyday.add_argument(
+        "--output", required=True, metavar="FRAMES",
+        help="the pictures to write; their suffix chooses the format (.png, .tif, .exr, ...)",
+    )  # fmt: skip
+    add_motion_options(everyday)
+    add_shot_options(parser, everyday, SEQUENCE)
+    add_other_outputs(parser, "FRAMES", "'nnf.%%04d.npy'")
+
+
+def run(options: argparse.Namespace) -> None:
+    """Find the files of all frames, and stylize them."""
+    params = chosen_params(options)
+    coherence = chosen_coherence(options, SEQUENCE if options.motion else None, "--motion")
+    outputs = [
+        pattern_of(text, name) if text else None
+        for name, text in (("output", options.output), ("nnf", options.nnf))
+    ]
+    found = find_frames(options)
+    files = ShotFiles(
+        options.style,
+        files_of_side(options, [source for source, _ in options.guide]),
+        [str(frame) for frame in found.frames],
+        found.guides,
+        find_motion(options, found.frames, coherence.order),
+    )
+    pictures, fields = (
+        [pattern.path(frame) for frame in found.frames] if pattern else [] for pattern in outputs
+    )
+    stylize_shot(options, files, params, coherence, pictures, fields, _ALONE)

@@ -1,0 +1,115 @@
+"""What ``sequence`` and ``views`` write of each frame."""
+
+import argparse
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stylit_ref.cli.deep_images import holds_bits_of
+from stylit_ref.cli.shot_in import ShotFiles, ShotIn
+from stylit_ref.files.colour.profile import ColourProfile, read_colour_profile
+from stylit_ref.files.disk.paths import check_distinct
+from stylit_ref.files.field import Field
+from stylit_ref.files.guides.encoding import GuideEncoding
+from stylit_ref.files.nnf_file import check_nnf_writable, write_nnf
+from stylit_ref.files.write_image import check_image_writable, write_image
+from stylit_ref.stylization.params import Params
+from stylit_ref.stylization.replaying import replay
+from stylit_ref.views.frame_result import FrameResult
+
+
+class ShotOut(NamedTuple):
+    """The files of every frame, and what they are made with.
+
+    Attributes
+    ----------
+    pictures : sequence of str
+    fields : sequence of str
+        Empty where no NNF is to be written.
+    params : Params
+    style_size : tuple of 2 int
+    encodings : sequence of GuideEncoding
+    profile : ColourProfile
+        What the style's file says of its colours; the pictures say it too.
+    deep_style : (H_A, W_A, n) uint16 or float32, or None
+        What pictures are made of if they have more than 8 bits.
+    """
+
+    pictures: Sequence[str]
+    fields: Sequence[str]
+    params: Params
+    style_size: tuple[int, int]
+    encodings: Sequence[GuideEncoding]
+    profile: ColourProfile
+    deep_style: NDArray[np.uint16 | np.float32] | None
+
+    def write(self, result: FrameResult) -> None:
+        """Write a frame; each file is written whole or not at all."""
+        field = Field(
+            result.nnf,
+            self.params.patch_width,
+            self.params.vote_outliers,
+            self.style_size,
+            None,
+            tuple(self.encodings),
+        )
+        image = result.image
+        if self.deep_style is not None:
+            image = replay(field, self.deep_style)
+        write_image(self.pictures[result.frame], image, profile=self.profile)
+        if self.fields:
+            write_nnf(self.fields[result.frame], field)
+
+
+def check_shot_outputs(
+    options: argparse.Namespace,
+    files: ShotFiles,
+    shot: ShotIn,
+    params: Params,
+    pictures: Sequence[str],
+    fields: Sequence[str],
+) -> ShotOut:
+    """Refuse files that cannot be written, or would overwrite others.
+
+    Parameters
+    ----------
+    options : argparse.Namespace
+    files : ShotFiles
+    shot : ShotIn
+    params : Params
+    pictures, fields : sequences of str
+        The files of every frame; no fields where none are to be written.
+
+    Returns
+    -------
+    ShotOut
+
+    Raises
+    ------
+    InputError
+    """
+    channels = shot.style.shape[2]
+    for picture in pictures:
+        check_image_writable(picture, channels)
+    for field in fields:
+        check_nnf_writable(field)
+    earlier = options.guide_encoding if options.guide_encoding.endswith(".npy") else None
+    guides = {path for side in files.guides for path in side}
+    motion = {path for source in files.motion.values() for path in source.files}
+    check_distinct(
+        [*pictures, *fields], [files.style, earlier, *files.source_guides, *guides, *motion]
+    )
+    deep_style = shot.deep_style
+    if deep_style is not None and not holds_bits_of(deep_style, pictures[0], channels):
+        deep_style = None
+    return ShotOut(
+        pictures,
+        fields,
+        params,
+        shot.style.shape[:2],
+        shot.shot.encodings,
+        read_colour_profile(files.style),
+        deep_style,
+    )

@@ -1,0 +1,131 @@
+"""The work of ``sequence`` and ``views``: stylize a shot of files, and write its frames."""
+
+import argparse
+import sys
+from collections.abc import Sequence
+from time import perf_counter
+
+from stylit_ref.cli.progress_line import ProgressLine
+from stylit_ref.cli.shot_in import ShotFiles, ShotIn, read_shot
+from stylit_ref.cli.shot_out import check_shot_outputs
+from stylit_ref.files.colour.profile import read_colour_profile
+from stylit_ref.files.disk.paths import check_folder
+from stylit_ref.notes import note
+from stylit_ref.stylization.params import Params
+from stylit_ref.stylization.warm_up import kernels_of_run
+from stylit_ref.views.params import Coherence
+from stylit_ref.views.problem import make_problem
+from stylit_ref.views.run_writer import RunWriter
+from stylit_ref.views.stylize_views import stylize_views
+
+
+def stylize_shot(
+    options: argparse.Namespace,
+    files: ShotFiles,
+    params: Params,
+    coherence: Coherence,
+    pictures: Sequence[str],
+    fields: Sequence[str],
+    alone: str,
+) -> None:
+    """Read, stylize, write; all is checked before the work starts.
+
+    Parameters
+    ----------
+    options : argparse.Namespace
+    files : ShotFiles
+    params : Params
+    coherence : Coherence
+    pictures, fields : sequences of str
+        What is written of every frame; no fields where no NNF is.
+    alone : str
+        What is told where there is no motion, so that no frame heeds another.
+
+    Raises
+    ------
+    InputError
+        If anything does not fit together, or cannot be written.
+    KeyboardInterrupt
+        Its message says how to go on.
+    """
+    start = perf_counter()
+    done, advanced = 0, set()
+    with ProgressLine(options.quiet) as line:
+
+        def progress(step):
+            advanced.add(step.frame)
+            line.tell(step.done, _place(step))
+
+        shot = read_shot(options, files, line)
+        outputs = check_shot_outputs(options, files, shot, params, pictures, fields)
+        for folder in filter(None, (options.work, options.run)):
+            check_folder(folder)
+        if not coherence.weight:
+            note(alone)
+        line.compile(lambda: _kernels(shot, params, coherence))
+        writer = _run_writer(options, files, shot, params, coherence) if options.run else None
+        try:
+            for result in stylize_views(
+                shot.style, shot.source_guides, shot.shot, params, coherence,
+                seed=options.seed, threads=options.threads, work=options.work,
+                scheduler=options.scheduler, progress=progress,
+            ):  # fmt: skip
+                outputs.write(result)
+                if writer:
+                    writer.add(result)
+                done += 1
+                line.wrote(pictures[result.frame], done, len(pictures))
+            if writer:
+                writer.finish()
+        except KeyboardInterrupt:
+            raise KeyboardInterrupt(_how_to_go_on(options.work, done, len(pictures))) from None
+    if not options.quiet:
+        _tell_finished(pictures, shot, len(pictures) - len(advanced), perf_counter() - start)
+
+
+def _run_writer(options, files, shot, params, coherence):
+    return RunWriter(
+        options.run,
+        make_problem(
+            shot.style, shot.source_guides, shot.shot, params, coherence, seed=options.seed
+        ),
+        encodings=shot.shot.encodings,
+        grid=files.grid,
+        cameras=files.cameras,
+        profile=read_colour_profile(files.style),
+    )
+
+
+def _place(step):
+    return (
+        f"frame {step.frame + 1} of {step.frames}, level {step.level} of {step.levels}, "
+        f"round {step.vote} of {step.votes}"
+    )
+
+
+def _kernels(shot: ShotIn, params: Params, coherence: Coherence):
+    """What a frame calls; the search of StyLit also reads how far its neighbours are apart."""
+    channels = list(shot.shot.channels)
+    if params.traits.chooses_targets and coherence.weight and shot.shot.pairs:
+        channels.append(1)
+    return kernels_of_run(params, shot.style.shape[2], channels)
+
+
+def _how_to_go_on(work, done, count):
+    if work:
+        return f"{done} of {count} frames are written; the same command goes on from {work}"
+    return (
+        f"{done} of {count} frames are written; with --work FOLDER the same command would go on "
+        "where it was interrupted"
+    )
+
+
+def _tell_finished(pictures, shot, found, seconds):
+    height, width = shot.shot.size
+    last = f" to {pictures[-1]}" if len(pictures) > 1 else ""
+    kept = f"; {found} of them were finished before" if found else ""
+    print(
+        f"wrote {len(pictures)} frames, {pictures[0]}{last} ({width}x{height}), in "
+        f"{seconds:.1f} s{kept}",
+        file=sys.stderr,
+    )

@@ -1,0 +1,85 @@
+"""Names of numbered files: ``shot/LDE.%04d.exr`` stands for a file of every frame."""
+
+import re
+from glob import escape, glob
+from pathlib import PurePath
+
+from fileseq import FileSequence
+from fileseq.constants import PAD_STYLE_HASH1
+from fileseq.utils import pad
+
+_KINDS = r"%0?\d*d", r"\$F\d*", r"#+"
+"""Placeholders of a number. A name is read by the first kind that it has, so that a folder may be
+called ``shot#2``."""
+
+
+class FramePattern:
+    """A name with one placeholder or more: ``%04d``, ``####`` or ``$F4``.
+
+    Parameters
+    ----------
+    text : str
+        A path, with a layer behind it or without.
+
+    Attributes
+    ----------
+    text : str
+    """
+
+    def __init__(self, text: str) -> None:
+        self.text: str = text
+        kind = next(kind for kind in _KINDS if re.search(kind, text))
+        self._names, self._widths, self._numbers_of_file = _taken_apart(text, kind)
+
+    @property
+    def names_pairs(self) -> bool:
+        """Whether the file's name has two numbers: a frame's, and that of another frame."""
+        return self._numbers_of_file == 2
+
+    def path(self, frame: int) -> str:
+        """The file of a frame: every placeholder is its number."""
+        return self._filled([frame] * len(self._widths))
+
+    def path_of_pair(self, frame: int, other: int) -> str:
+        """The file of a frame and another; folders are the frame's."""
+        return self._filled([*[frame] * (len(self._widths) - 1), other])
+
+    def frames(self) -> list[int]:
+        """The frames whose files, or folders, there are; in ascending order.
+
+        The name of a layer behind the file's is left out.
+        """
+        text = self.text
+        while not (found := _frames_on_disk(text)) and is_pattern(text.rpartition(":")[0]):
+            text = text.rpartition(":")[0]
+        return found
+
+    def _filled(self, numbers):
+        first, *names = self._names
+        padded = map(pad, numbers, self._widths)
+        return first + "".join(number + name for number, name in zip(padded, names, strict=True))
+
+
+def is_pattern(text: str) -> bool:
+    """Whether a name has a placeholder."""
+    return any(re.search(kind, text) for kind in _KINDS)
+
+
+def _taken_apart(text, kind):
+    """What stands between the placeholders; their widths; how many are in the file's own name."""
+    widths = [
+        FileSequence.getPaddingNum(found, pad_style=PAD_STYLE_HASH1)
+        for found in re.findall(kind, text)
+    ]
+    return re.split(kind, text), widths, len(re.findall(kind, PurePath(text).name))
+
+
+def _frames_on_disk(text):
+    pattern = FramePattern(text)
+    number = re.compile(r"(-?\d+)".join(map(re.escape, pattern._names)))
+    frames = set()
+    for path in glob("*".join(map(escape, pattern._names))):
+        found = number.fullmatch(path)
+        if found and pattern.path(int(found[1])) == path:
+            frames.add(int(found[1]))
+    return sorted(frames)

@@ -1,0 +1,240 @@
+"""``stylit-ref sequence`` from end to end."""
+
+import numpy as np
+import pytest
+from cli.calls import QUICK, refused, run, sequence
+from exr_files import write_exr
+
+from stylit_ref import (
+    Coherence,
+    Motion,
+    Params,
+    read_image,
+    read_nnf,
+    stylize_frames,
+    write_image,
+)
+from stylit_ref.cli import main, shot_out
+from stylit_ref.files.motion_flo import write_flo
+from stylit_ref.views.motion.between import motion_between
+from stylit_ref.views.motion.conventions import FrameMotion
+from stylit_ref.views.motion.reading import read_motion
+
+PARAMS = Params(levels=2, votes=1, patchmatch_iterations=1)
+
+
+def motion(folder):
+    return "--motion", f"{folder}/flow.%04d.flo"
+
+
+def edges(folder, pairs, frames=(1, 2, 3)):
+    """What the flow of the shot tells of pairs of places in ``frames``."""
+    of_frame = [read_motion(folder / f"flow.{frame:04d}.flo") for frame in (1, 2, 3)]
+    return {
+        (to, other): motion_between(
+            frames[to], frames[other], dict(enumerate(of_frame, 1)).__getitem__
+        )
+        for to, other in pairs
+    }
+
+
+def written(folder, frames=(1, 2, 3)):
+    return [read_image(folder / f"out.{frame:04d}.png") for frame in frames]
+
+
+@pytest.mark.parametrize(
+    ("flags", "coherence", "pairs"),
+    [
+        ((), Coherence(weight=1, order="sequential"), [(1, 0), (2, 1)]),
+        (
+            ("--coherence", 0.5, "--coherence-form", "plain", "--order", "parallel"),
+            Coherence(weight=0.5, form="plain", order="parallel"),
+            [(0, 1), (1, 0), (1, 2), (2, 1)],
+        ),
+    ],
+)
+def test_it_writes_what_stylize_frames_yields(shot, flags, coherence, pairs):
+    folder, style, sources, frames = shot
+    assert sequence(folder, *motion(folder), *flags, "--nnf", f"{folder}/nnf.####.npy") == 0
+    results = list(
+        stylize_frames(style, sources, frames, PARAMS, coherence, edges=edges(folder, pairs))
+    )
+    for result, image in zip(results, written(folder), strict=True):
+        np.testing.assert_array_equal(result.image, image)
+        field = read_nnf(folder / f"nnf.{result.frame + 1:04d}.npy")
+        np.testing.assert_array_equal(field.nnf, result.nnf)
+
+
+def test_without_motion_every_frame_is_that_of_run(shot, capsys):
+    folder = shot[0]
+    assert sequence(folder, "--frames", "1,3") == 0
+    assert "each frame is stylized by itself" in capsys.readouterr().err
+    alone = []
+    for frame in (1, 3):
+        assert run(folder, guides=("source_{}.png", f"target_{{}}.{frame:04d}.png")) == 0
+        alone.append(read_image(folder / "out.png"))
+    np.testing.assert_array_equal(written(folder, (1, 3)), alone)
+    assert not (folder / "out.0002.png").exists()
+
+
+def test_motion_is_followed_through_frames_that_are_left_out(shot):
+    folder, style, sources, frames = shot
+    assert sequence(folder, *motion(folder), "--frames", "1-3x2") == 0
+    expected = stylize_frames(
+        style, sources, frames[::2], PARAMS, edges=edges(folder, [(1, 0)], (1, 3))
+    )
+    np.testing.assert_array_equal(written(folder, (1, 3)), [result.image for result in expected])
+
+
+def test_a_file_of_each_pair(shot):
+    folder, style, sources, frames = shot
+    size = frames[0][0].shape[:2]
+    of_frame = {}
+    for to, other in ((1, 2), (2, 1), (2, 3), (3, 2)):
+        flow = np.tile(np.float32([other - to, 0]), (*size, 1))
+        write_flo(folder / f"{to}_to_{other}.flo", flow)
+        of_frame[to, other] = Motion(flow, np.ones(size, bool))
+    assert sequence(folder, "--motion", f"{folder}/%d_to_%d.flo", "--order", "parallel") == 0
+    both = {n: FrameMotion(of_frame.get((n, n + 1)), of_frame.get((n, n - 1))) for n in (1, 2, 3)}
+    pairs = {(a - 1, b - 1): motion_between(a, b, both.get) for a, b in of_frame}
+    coherence = Coherence(weight=1, order="parallel")
+    expected = stylize_frames(style, sources, frames, PARAMS, coherence, edges=pairs)
+    for result in expected:
+        np.testing.assert_array_equal(written(folder)[result.frame], result.image)
+
+
+def test_the_same_command_goes_on_where_it_was_interrupted(shot, capsys, monkeypatch):
+    folder = shot[0]
+    assert sequence(folder, *motion(folder)) == 0
+    expected = written(folder)
+    write, calls = shot_out.write_image, []
+
+    def interrupted(*arguments, **settings):
+        calls.append(arguments)
+        if len(calls) == 2:
+            raise KeyboardInterrupt
+        write(*arguments, **settings)
+
+    capsys.readouterr()
+    with monkeypatch.context() as patched:
+        patched.setattr(shot_out, "write_image", interrupted)
+        assert sequence(folder, *motion(folder), "--work", folder / "work") == 130
+    said = capsys.readouterr().err.splitlines()[-1]
+    assert said == (
+        f"stylit-ref: interrupted; 1 of 3 frames are written; the same command goes on from "
+        f"{folder}/work"
+    )
+    assert sequence(folder, *motion(folder), "--work", folder / "work") == 0
+    assert "2 of them were finished before" in capsys.readouterr().err
+    np.testing.assert_array_equal(written(folder), expected)
+
+
+def test_an_interruption_without_work_folder_says_how_to_go_on(shot, capsys, monkeypatch):
+    def interrupted(*arguments, **settings):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(shot_out, "write_image", interrupted)
+    assert sequence(shot[0]) == 130
+    assert "with --work FOLDER the same command would go on" in capsys.readouterr().err
+
+
+def test_missing_frames_are_all_named_at_once(shot, capsys):
+    folder = shot[0]
+    (folder / "target_0.0002.png").unlink()
+    (folder / "target_1.0003.png").unlink()
+    message = refused(capsys, sequence(folder, "--frames", "1-5"))
+    assert f"{folder}/target_0.%04d.png: there is no file for frames 2,4-5" in message
+    assert f"{folder}/target_1.%04d.png: there is no file for frames 3-5" in message
+    message = refused(capsys, sequence(folder))
+    assert "there is no file for frame 2;" in message
+    assert not list(folder.glob("out*"))
+
+
+def test_frames_of_other_sizes_are_all_named_at_once(shot, capsys):
+    folder = shot[0]
+    for frame in (2, 3):
+        write_image(folder / f"target_1.{frame:04d}.png", np.zeros((30, 20, 1), np.uint8))
+    message = refused(capsys, sequence(folder, "--work", folder / "work"))
+    for frame in (2, 3):
+        assert f"target_1.{frame:04d}.png: is 20x30 but" in message
+    assert not list(folder.glob("out*"))
+    assert not (folder / "work").exists()
+
+
+@pytest.mark.parametrize(
+    ("flags", "said"),
+    [
+        (("--frames", "1-"), "--frames is '1-'; it must be numbers and ranges"),
+        (("--motion", "flow.flo"), "--motion flow.flo: names one file; write %04d"),
+        (("--output", "out.png"), "--output out.png: names one file; write %04d"),
+        (("--nnf", "nnf.npy"), "--nnf nnf.npy: names one file; write %04d"),
+        (("--output", "out.%04d.nothing"), "out.0001.nothing"),
+        (("--coherence", 1), "--coherence is of use with --motion alone"),
+        (("--ids", "ids.%04d.png"), "--ids is of use with --motion alone"),
+        (("--method", "realtime"), "--method"),
+    ],
+)
+def test_options_that_cannot_be_used(shot, capsys, flags, said):
+    assert said in refused(capsys, sequence(shot[0], *flags))
+    assert not list(shot[0].glob("out*"))
+
+
+def test_motion_that_is_missing_is_named(shot, capsys):
+    folder = shot[0]
+    (folder / "flow.0003.flo").unlink()  # nothing comes after the last frame
+    assert sequence(folder, *motion(folder), "--frames", "2-3") == 0
+    capsys.readouterr()
+    (folder / "flow.0002.flo").unlink()
+    message = refused(capsys, sequence(folder, *motion(folder), "--frames", "1,3"))
+    assert "there is no file for frame 2; the motion is followed through the frames" in message
+    message = refused(capsys, sequence(folder, *motion(folder)))
+    assert message.endswith("flow.%04d.flo: there is no file for frame 2")
+    message = refused(capsys, sequence(folder, "--motion", f"{folder}/none.%04d.flo"))
+    assert "there is no file of such a name" in message
+
+
+def test_folders_may_have_the_number_and_layers_name_their_images(shot):
+    folder = shot[0]
+    assert sequence(folder) == 0
+    expected = written(folder)
+    for name in ("source", "01", "02", "03"):
+        (folder / name).mkdir()
+        for k in range(2):
+            old = f"source_{k}.png" if name == "source" else f"target_{k}.00{name}.png"
+            (folder / old).rename(folder / name / f"{k}.png")
+    command = ["sequence", "--style", f"{folder}/style.png", "--output", f"{folder}/out.%04d.png"]
+    command += ["--guide", f"{folder}/source", f"{folder}/%02d", "--guide-layers", "0,1"]
+    for frame in (1, 2, 3):
+        (folder / f"out.{frame:04d}.png").unlink()
+    assert main([*command, *QUICK]) == 0
+    np.testing.assert_array_equal(written(folder), expected)
+
+
+def test_a_style_of_16_bits_gives_frames_of_16_bits(shot):
+    folder, style = shot[:2]
+    write_image(folder / "style.png", style.astype(np.uint16) * 257)
+    assert sequence(folder, "--frames", 1) == 0
+    image = written(folder, (1,))[0]
+    assert image.dtype == np.uint16
+    assert (image % 257).any()
+
+
+def test_float_guides_are_encoded_alike_in_all_frames(shot):
+    folder = shot[0]
+    depth = np.linspace(0, 1, 38 * 44).reshape(38, 44)
+    write_exr(folder / "source_2.exr", {"Depth.Z": 1}, (40, 46), depth="float")
+    for frame in (1, 2, 3):
+        channels = {"Depth.Z": frame * depth}
+        write_exr(folder / f"target_2.{frame:04d}.exr", channels, (38, 44), depth="float")
+    more = "--guide", f"{folder}/source_2.exr", f"{folder}/target_2.%04d.exr"
+    assert sequence(folder, *more, "--nnf", f"{folder}/%04d.npy") == 0
+    encodings = {read_nnf(folder / f"{frame:04d}.npy").guide_encodings for frame in (1, 2, 3)}
+    assert len(encodings) == 1
+    assert 2.9 < encodings.pop()[2].high < 3.1
+
+
+def test_run_explains_a_name_that_stands_for_many_frames(shot, capsys, nothing_written):
+    folder = shot[0]
+    message = refused(capsys, run(folder, guides=("source_{}.png", "target_{}.%04d.png")))
+    assert "target_0.%04d.png: stands for the files of many frames" in message
+    assert "'stylit-ref sequence'" in message

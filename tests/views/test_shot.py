@@ -1,0 +1,110 @@
+"""Shots in memory and of files."""
+
+import pickle
+from dataclasses import dataclass
+
+import numpy as np
+import pytest
+from small_shot import EFFORT, sliding
+
+from stylit_ref import (
+    ArrayShot,
+    FileShot,
+    GuideEncoding,
+    InputError,
+    Motion,
+    Params,
+    stylize_views,
+    write_image,
+)
+from stylit_ref.views.file_shot import files_digest
+
+PARAMS = Params(**EFFORT)
+
+
+@dataclass(frozen=True)
+class Saved:
+    """Motion as numpy.save writes it."""
+
+    path: str
+
+    def read(self):
+        field = np.load(self.path)
+        return Motion(field, np.ones(field.shape[:2], bool))
+
+    def digest(self):
+        return files_digest([self.path])
+
+
+@pytest.fixture
+def scene():
+    return sliding(frames=2)
+
+
+@pytest.fixture
+def files(tmp_path, scene):
+    """The scene on the disk."""
+    paths, motion = [], {}
+    for frame, guides in enumerate(scene.guides):
+        paths.append(tuple(str(tmp_path / f"{frame}_{k}.png") for k in range(len(guides))))
+        for path, guide in zip(paths[-1], guides, strict=True):
+            write_image(path, guide)
+    for (to, other), each in scene.edges.items():
+        motion[to, other] = Saved(str(tmp_path / f"{to}_{other}.npy"))
+        np.save(motion[to, other].path, each.field)
+    size = scene.guides[0][0].shape[:2]
+    encodings = (GuideEncoding("data"), GuideEncoding("data"))
+    return FileShot(("a", "b"), size, tuple(paths), encodings, (3, 1), motion)
+
+
+def test_files_give_the_bytes_of_arrays(scene, files):
+    shot = pickle.loads(pickle.dumps(files))
+    of_files = list(stylize_views(scene.style, scene.sources, shot, PARAMS))
+    edges = scene.edges
+    of_arrays = list(stylize_views(scene.style, scene.sources, scene.guides, PARAMS, edges=edges))
+    assert [result.name for result in of_files] == ["a", "b"]
+    for one, other in zip(of_files, of_arrays, strict=True):
+        assert np.array_equal(one.image, other.image)
+        assert np.array_equal(one.nnf, other.nnf)
+
+
+def test_a_digest_is_of_what_files_hold(files, scene):
+    before = files.guides_digest(0), files.guides_digest(1), files.motion_digest(0, 1)
+    scene.guides[1][0][0, 0] ^= 1
+    write_image(files.guide_files[1][0], scene.guides[1][0])
+    after = files.guides_digest(0), files.guides_digest(1), files.motion_digest(0, 1)
+    assert [one == other for one, other in zip(before, after, strict=True)] == [True, False, True]
+
+
+def test_a_grey_frame_is_spread_to_the_colours_of_the_source(files, scene):
+    write_image(files.guide_files[0][0], scene.guides[0][1])
+    assert np.array_equal(files.guides(0)[0], scene.guides[0][1].repeat(3, axis=2))
+
+
+def test_a_frame_in_colour_beside_a_grey_source_is_refused(files, scene):
+    write_image(files.guide_files[0][1], scene.guides[0][0])
+    with pytest.raises(InputError, match=r"0_1.png: has 3 channels but the source's guide has 1;"):
+        files.guides(0)
+
+
+def test_a_frame_file_of_another_size_is_refused(files, scene):
+    write_image(files.guide_files[1][0], scene.guides[1][0][1:])
+    with pytest.raises(InputError, match=r"1_0.png: is 44x37 but the other frames are 44x38;"):
+        list(stylize_views(scene.style, scene.sources, files, PARAMS))
+
+
+def test_names_are_different(scene):
+    with pytest.raises(InputError, match="names holds 1 different names for 2 frames"):
+        ArrayShot(scene.guides, names=["a", "a"])
+
+
+def test_edges_of_a_shot_are_its_own(scene):
+    shot = ArrayShot(scene.guides, scene.edges)
+    with pytest.raises(InputError, match="edges are those of the shot; leave them out"):
+        stylize_views(scene.style, scene.sources, shot, PARAMS, edges=scene.edges)
+
+
+def test_guides_that_do_not_fit_the_source_are_refused_at_once(scene):
+    guides = [each[:1] for each in scene.guides]
+    with pytest.raises(InputError, match="target_guides holds 1 guides but source_guides holds 2"):
+        stylize_views(scene.style, scene.sources, guides, PARAMS)
