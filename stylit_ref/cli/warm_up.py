@@ -9,6 +9,7 @@ from stylit_ref.cli.method_options import (
     add_parameters,
     add_preset,
     chosen_params,
+    method_of,
 )
 from stylit_ref.cli.methods import offer_of
 from stylit_ref.cli.parameter_options import parsed
@@ -65,7 +66,7 @@ def run(options: argparse.Namespace) -> None:
     with ProgressLine(options.quiet) as line:
         needed = []
         if options.only != "texture":
-            needed += offer_of(options.method).kernels(
+            needed += offer_of(method_of(options)).kernels(
                 params, options.style_channels, options.guide_channels
             )
         if options.only != "run":
