@@ -1,6 +1,6 @@
 """The claims of the thesis about coherence, and what ours must reach, tested on our numbers."""
 
-from eval.documents.hauptfleisch import architecture
+from eval.documents.hauptfleisch import architecture, long_shot
 from eval.documents.hauptfleisch.goals import (
     GOALS,
     LEAST_GRADIENT,
@@ -53,6 +53,7 @@ def claims(plan):
         _every_style(plan),
         _silhouettes(plan),
         *(_cost(plan, study) for study in ("house", "large")),
+        *long_shot.claims(plan.long_shot),
     ]
 
 

@@ -40,6 +40,13 @@ def styles_figure(plan, file):
     contact_sheet(rows, file, tile=300)
 
 
+def long_shot_figure(plan, file):
+    """Four frames of the long shot."""
+    images = stored(plan.long_shot).image
+    rows = [[(str(k), image) for k, image in enumerate(images)]]
+    contact_sheet([rows[0][:2], rows[0][2:]], file, tile=480)
+
+
 def crops_figure(study, method, file):
     """The most detailed place of the middle view, and the same points in its neighbour."""
     to, other = _pair(study)

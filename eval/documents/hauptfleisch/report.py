@@ -4,6 +4,7 @@ from pathlib import Path
 
 from data_gen.guides import LIGHT_PASSES
 from eval.documents.hauptfleisch.goals import GOALS
+from eval.documents.hauptfleisch.long_shot import read_turning
 from eval.documents.hauptfleisch.page import document
 from eval.documents.hauptfleisch.plan import Plan, Study
 from eval.documents.hauptfleisch.presets import PRESETS
@@ -32,8 +33,8 @@ def add_options(parser):
     )  # fmt: skip
     parser.add_argument(
         "--data", type=Path, default=Path("build/data"),
-        help="folder whose folders 300x228 and 600x456 are data sets of make data (default "
-        "build/data)",
+        help="folder whose folders 300x228, 600x456 and, for the long shot, 500x500 are data sets "
+        "of make data (default build/data)",
     )  # fmt: skip
     parser.add_argument(
         "--sintel", type=Path, metavar="FOLDER",
@@ -50,7 +51,7 @@ def main(options):
     for name, ways in preset.ways.items():
         try:
             if name == "sintel":
-                studies[name] = Study(name, read_sintel(options.sintel), ways)
+                studies[name] = Study(name, read_sintel(options.sintel), ways, preset.methods)
             else:
                 studies[name] = _study(name, ways, STYLES[name], options.data, preset)
         except InputError as error:
@@ -63,7 +64,14 @@ def main(options):
         styles = {STYLES["house"]: studies["house"]} | {
             style: _study("house", judged, style, options.data, preset) for style in preset.styles
         }
-    plan = Plan(options.preset, preset, studies, styles, options.data / SIZES["house"])
+    turning = None
+    if preset.with_long_shot:
+        try:
+            turning = read_turning(options.data / "500x500", STYLES["animation"])
+        except InputError as error:
+            missing.append(f"the long shot ({error})")
+    house = options.data / SIZES["house"]
+    plan = Plan(options.preset, preset, studies, styles, house, turning)
     return make_document(document(plan, missing), folder_of(options, f"hauptfleisch_{plan.name}"))
 
 
@@ -73,4 +81,4 @@ def _study(name, ways, style, data, preset):
         SCENES[name], style, data / SIZES[name],
         LIGHT_PASSES if is_shot else GUIDES, preset.frames if is_shot else None,
     )  # fmt: skip
-    return Study(name, frames, ways)
+    return Study(name, frames, ways, preset.methods)
