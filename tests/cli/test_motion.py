@@ -1,14 +1,15 @@
-"""``stylit-ref motion check``."""
+"""``stylit-ref motion check``, and the shot that Blender rendered, end to end."""
 
 import numpy as np
 import pytest
-from cli.calls import refused
+from cli.calls import QUICK, refused
 from views.motion.blender_shot import FOLDER
 from views.motion.moving_square import motion, picture
 
-from stylit_ref import write_image
+from stylit_ref import motion_between, read_motion, read_uint8, write_image
 from stylit_ref.cli import main
 from stylit_ref.files.motion_flo import write_flo
+from stylit_ref.views.motion.places import fetched, places_in_other
 
 
 def check(*words):
@@ -116,3 +117,23 @@ def test_grey_pictures_are_compared_too(capsys, shot):
     guides = "--guide", shot / "grey.0.png", "--guide", shot / "grey.1.png"
     assert check(*guides, "--motion", shot / "0_to_1.flo") == 0
     assert last_line(capsys).startswith("flo explains the pictures")
+
+
+def test_blenders_shot_is_stylized_coherently(tmp_path):
+    """By its multilayer files alone: passes, vectors, depth and IDs."""
+    first, frames = f"{FOLDER}/perspective/shot.0001.exr", f"{FOLDER}/perspective/shot.%04d.exr"
+    style = read_uint8(f"{first}:Combined")[:, :, :3]
+    write_image(tmp_path / "style.png", style)
+    words = ["sequence", "--style", str(tmp_path / "style.png"), *QUICK]
+    for layer in ("Diffuse Direct", "Object Index"):
+        words += ["--guide", f"{first}:{layer}", f"{frames}:{layer}"]
+    moved = ["--motion", frames, "--depth", f"{frames}:Depth", "--ids", f"{frames}:Object Index"]
+    errors = []
+    for name, more in (("alone", []), ("coherent", moved)):
+        assert main([*words, *more, "--output", f"{tmp_path}/{name}.%d.png"]) == 0
+        shown = [read_uint8(tmp_path / f"{name}.{frame}.png").astype(float) for frame in (1, 2, 3)]
+        for to in (1, 2):
+            motion = motion_between(to, to - 1, lambda frame: read_motion(frames % (frame + 1)))
+            there = fetched(shown[to - 1], places_in_other(motion))
+            errors.append(np.abs(shown[to] - there)[motion.visible].mean())
+    assert sum(errors[2:]) < 0.8 * sum(errors[:2])
