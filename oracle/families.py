@@ -96,6 +96,9 @@ REALTIME = Family(
         "frame": "9",
         "warm_frame": "9",
         "stroke": "9",
+        "dense_nnf": "10",
+        "vote": "10",
+        "finish": "10",
     },
 )
 

@@ -1,4 +1,4 @@
-"""10. Cases: what is read and written."""
+"""11. Cases: what is read and written."""
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from . import (
     spec_07_blend,
     spec_08_upsampling,
     spec_09_frame,
+    spec_10_dense_finish,
 )
 
 SECTIONS = (
@@ -22,6 +23,7 @@ SECTIONS = (
     spec_07_blend,
     spec_08_upsampling,
     spec_09_frame,
+    spec_10_dense_finish,
 )
 
 STAGES = {stage: do for section in SECTIONS for stage, do in section.STAGES.items()}
