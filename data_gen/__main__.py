@@ -8,9 +8,9 @@ import sys
 from pathlib import Path
 
 from data_gen.manifest import DataError
-from data_gen.pieces import SCENES, USUAL
 from data_gen.produce import produce
 from data_gen.renderer import MissingRendererError
+from data_gen.scenes import SCENES, USUAL
 
 SMALLEST, LARGEST = 16, 8192
 
@@ -24,7 +24,7 @@ def main(arguments=None):
     )  # fmt: skip
     parser.add_argument(
         "--scenes", type=_scenes, default=USUAL,
-        help=f"scenes, commas between, of {', '.join(SCENES)} (default: all but turning); the "
+        help=f"scenes, commas between, of {', '.join(SCENES)} (default: {', '.join(USUAL)}); the "
         "source is always made",
     )  # fmt: skip
     parser.add_argument(

@@ -61,23 +61,56 @@ class Camera(NamedTuple):
         return np.tan(np.radians(self.field_of_view) / 2)
 
 
-def _orbit(azimuth, elevation):
-    """A camera on a sphere around the house; angles in degrees, azimuth 0 before its front."""
-    a, e = np.radians(azimuth), np.radians(elevation)
-    middle = np.array([0.1, 2.8, 0.3])
-    away = np.array([np.sin(a) * np.cos(e), np.sin(e), np.cos(a) * np.cos(e)])
-    return Camera(tuple((middle + 19.5 * away).tolist()), tuple(middle.tolist()), 28.0)
+class Orbit(NamedTuple):
+    """Cameras on a sphere, all of which look at its middle.
+
+    Attributes
+    ----------
+    middle : 3 floats
+    distance : float
+        Of the cameras, in the units of the stage.
+    field_of_view : float
+        Vertical, in degrees.
+    """
+
+    middle: tuple
+    distance: float
+    field_of_view: float
+
+    def at(self, azimuth, elevation):
+        """The camera at two angles in degrees; azimuth 0 looks at the front, 90 from the right."""
+        a, e = np.radians(azimuth), np.radians(elevation)
+        middle = np.array(self.middle)
+        away = np.array([np.sin(a) * np.cos(e), np.sin(e), np.cos(a) * np.cos(e)])
+        origin = middle + self.distance * away
+        return Camera(tuple(origin.tolist()), tuple(middle.tolist()), self.field_of_view)
+
+    def grid(self, azimuths, elevations):
+        """Cameras by (row, column): a row for each elevation, a column for each azimuth."""
+        return {
+            (row, column): self.at(azimuth, elevation)
+            for row, elevation in enumerate(elevations)
+            for column, azimuth in enumerate(azimuths)
+        }
 
 
 STAGE_VIEW = Camera(origin=(0.0, 2.75, 9.0), target=(0.0, 1.22, 0.0), field_of_view=25.0)
 """The one view of the source and of all targets."""
 
-GRID = {
-    (row, column): _orbit(azimuth, elevation)
-    for row, elevation in enumerate((8, 13, 18))
-    for column, azimuth in enumerate((20, 25, 30))
-}
+_AWAY = np.subtract(STAGE_VIEW.origin, STAGE_VIEW.target)
+
+STAGE = Orbit(STAGE_VIEW.target, np.linalg.norm(_AWAY), STAGE_VIEW.field_of_view)
+STAGE_ELEVATION = np.degrees(np.arctan2(_AWAY[1], _AWAY[2]))
+"""Of ``STAGE_VIEW``, whose azimuth is 0."""
+
+HOUSE = Orbit((0.1, 2.8, 0.3), 19.5, 28.0)
+SOURCE_AZIMUTH, SOURCE_ELEVATION = 5, 10
+
+HOUSE_SOURCE = HOUSE.at(SOURCE_AZIMUTH, SOURCE_ELEVATION)
+"""The view of the house that an artist would paint over."""
+
+GRID = HOUSE.grid((20, 25, 30), (8, 13, 18))
 """The house's views by row and column: neighbours are 5° apart on a sphere around it."""
 
-HOUSE_SOURCE = _orbit(azimuth=5, elevation=10)
-"""The view of the house that an artist would paint over."""
+CHAPEL = Orbit((-0.8, 3.2, 0.3), 22.5, 28.0)
+"""Around the chapel; its source has the angles of the house's."""

@@ -24,7 +24,7 @@ import numpy as np
 
 from data_gen.load import point_on_light
 from data_gen.visibility import sees
-from data_gen.wireframe import wireframe
+from data_gen.wireframe import visible_wires, wireframe
 
 HIGHLIGHT = 0.5
 _REFLECTANCE_AT_NORMAL = 0.04  # of a dielectric with index 1.5
@@ -103,6 +103,7 @@ def features(rendered, scene, camera, surface, highlights):
     seen = (surface.part >= 0)[..., None]
     towards_eye = -(surface.normal * surface.directions).sum(axis=-1, keepdims=True)
     fresnel = _REFLECTANCE_AT_NORMAL + (1 - _REFLECTANCE_AT_NORMAL) * (1 - towards_eye) ** 5
+    size = surface.part.shape
     forward = camera.axes()[2]
     depth = (surface.position - np.asarray(camera.origin)) @ forward
     result = {
@@ -112,7 +113,7 @@ def features(rendered, scene, camera, surface, highlights):
         "NORMAL": surface.normal,
         "POSITION": surface.position,
         "DEPTH": np.where(seen, depth[..., None], 0),
-        "WIREFRAME": wireframe(rendered, scene, camera, *surface.part.shape),
+        "WIREFRAME": wireframe(visible_wires(rendered, scene, camera, *size), *size),
     }
     return {name: layer.astype(np.float32) for name, layer in result.items()}
 

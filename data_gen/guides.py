@@ -31,6 +31,7 @@ class Limits(NamedTuple):
 
 STAGE_LIMITS = Limits(6.0, 13.5, (-4.0, 0.0, -4.0), (4.0, 5.0, 4.0))
 HOUSE_LIMITS = Limits(11.0, 36.0, (-9.0, 0.0, -9.0), (9.0, 7.0, 9.0))
+CHAPEL_LIMITS = Limits(12.0, 38.0, (-9.0, 0.0, -9.0), (9.0, 8.0, 9.0))
 
 
 def guide(name, layer, limits=STAGE_LIMITS):

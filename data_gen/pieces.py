@@ -1,22 +1,20 @@
-"""The pieces that a data set is made of: each makes the files of its own folder.
+"""The kinds of pieces that a data set is made of: each makes the files of its own folder.
 
-A scene is a few pieces; what another kind of piece needs is a class beside these, with a ``name``
-and a method ``make``. What imports the renderer is imported where it is needed, after
-:func:`data_gen.renderer.start`.
+A scene is a few pieces (:mod:`data_gen.scenes`). What another kind of piece needs is a class beside
+these, with a ``name`` and a method ``make``. What imports the renderer is imported where it is
+needed, after :func:`data_gen.renderer.start`.
 """
 
+import json
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache, partial
 
 from skimage.io import imsave
 
-from data_gen.camera import GRID, HOUSE_SOURCE, STAGE_VIEW, Camera
-from data_gen.guides import HOUSE_LIMITS, STAGE_LIMITS, Limits, guide, to_uint8
-from data_gen.models import TARGETS, sphere
-from data_gen.models.mesh import turned
+from data_gen.camera import Camera
+from data_gen.guides import Limits, guide, to_uint8
 from data_gen.multilayer_exr import write_layers
-from data_gen.stage import Scene, house_scene, on_stage
+from data_gen.stage import Scene
 
 
 @dataclass(frozen=True)
@@ -90,25 +88,57 @@ class Paintings:
 
 
 @dataclass(frozen=True)
+class Sketches:
+    """A view of a building, and every architectural sketch drawn over it.
+
+    Attributes
+    ----------
+    view : View
+    """
+
+    view: View
+
+    @property
+    def name(self):
+        """The view's."""
+        return self.view.name
+
+    def make(self, folder, rendering, exr):
+        """As :meth:`View.make`; the sketches go to a folder of their own."""
+        from data_gen.sketches import SKETCHES, building
+
+        layers = self.view.make(folder, rendering, exr)
+        wires = rendering.wires(self.view.scene(), self.view.camera)
+        seen = building(layers, wires.runs())
+        (folder / "sketches").mkdir()
+        for name, draw in SKETCHES.items():
+            image = to_uint8(draw(seen))
+            imsave(folder / "sketches" / f"{name}.png", image, check_contrast=False)
+
+
+@dataclass(frozen=True)
 class Motion:
-    """Motion fields between neighbours of a grid of views, both ways.
+    """Motion fields between views of a scene.
 
     Attributes
     ----------
     name : str
     scene : callable
         Builds the scene.
-    grid : dict of (int, int) to Camera
-        By row and column.
+    cameras : dict of str to Camera
+        Of each view.
+    pairs : tuple of (str, str)
+        From which view to which.
     """
 
     name: str
     scene: Callable[[], Scene]
-    grid: dict[tuple[int, int], Camera]
+    cameras: dict[str, Camera]
+    pairs: tuple[tuple[str, str], ...]
 
     def make(self, folder, rendering, exr):
         """Render and write; nothing but layers, which are kept whatever ``exr`` says."""
-        for name, layers in rendering.motion(self.scene(), self.grid):
+        for name, layers in rendering.motion(self.scene(), self.cameras, self.pairs):
             write_layers(folder / f"{name}.exr", layers)
 
 
@@ -121,73 +151,75 @@ class MotionOfTurn:
     name : str
     scenes : tuple of callable
         Each builds the scene of a frame.
+    cameras : tuple of Camera
+        Of each frame.
     degrees : float
         By which the object turns from a frame to the next.
     """
 
     name: str
     scenes: tuple[Callable[[], Scene], ...]
+    cameras: tuple[Camera, ...]
     degrees: float
 
     def make(self, folder, rendering, exr):
         """Render and write; nothing but layers, which are kept whatever ``exr`` says."""
-        scenes = (scene() for scene in self.scenes)
-        for name, layers in rendering.motion_of_turn(scenes, STAGE_VIEW, self.degrees):
+        frames = (
+            (scene(), camera) for scene, camera in zip(self.scenes, self.cameras, strict=True)
+        )
+        for name, layers in rendering.motion_of_turn(frames, self.degrees):
             write_layers(folder / f"{name}.exr", layers)
 
 
-def turning(name, model, frames, degrees=1.0):
-    """The pieces of a model that turns on the stage: a view for each frame, and the motion.
+@dataclass(frozen=True)
+class ViewsManifest:
+    """``views.json``, which tells ``stylit-ref views`` the files of a scene.
 
-    Parameters
+    Attributes
     ----------
-    name : str
-        Of the scene.
-    model : callable
-        Builds the mesh of the first frame.
-    frames : int
-    degrees : float
-        From a frame to the next; the front turns towards the right.
-
-    Returns
-    -------
-    tuple of View and MotionOfTurn
+    scene : str
+    style : str
+        File of the painting in the data set; its guides lie in the piece of its first folder.
+    guides : tuple of str
+    cameras : dict of str to Camera
+        Of each view, by its name in the scene.
+    rows : tuple of tuple of str
+        Views that are neighbours, in rows and columns; a sequence is one row.
+    has_motion : bool
     """
-    still = cache(model)  # a sculpture takes longer to build than to turn
-    scenes = tuple(partial(_turned_on_stage, still, degrees * frame) for frame in range(frames))
-    views = (
-        View(f"{name}/{frame:02}", scene, STAGE_VIEW, STAGE_LIMITS)
-        for frame, scene in enumerate(scenes)
-    )
-    return *views, MotionOfTurn(f"{name}/motion", scenes, degrees)
 
+    scene: str
+    style: str
+    guides: tuple[str, ...]
+    cameras: dict[str, Camera]
+    rows: tuple[tuple[str, ...], ...]
+    has_motion: bool = True
 
-def _turned_on_stage(model, degrees):
-    return on_stage(turned(model(), degrees))
+    @property
+    def name(self):
+        """Of the piece and of its folder, which lies beside those of the scenes."""
+        return f"manifests/{self.scene}"
 
-
-def _on_stage(name, model):
-    return View(name, lambda: on_stage(model()), STAGE_VIEW, STAGE_LIMITS)
-
-
-_house_view = partial(View, scene=house_scene, limits=HOUSE_LIMITS)
-
-SOURCE = Paintings(_on_stage("source", sphere))
-"""Belongs to every data set."""
-
-_STILL = {name: (_on_stage(name, model),) for name, model in TARGETS.items()} | {
-    "house": (
-        _house_view("house/source", camera=HOUSE_SOURCE),
-        *(
-            _house_view(f"house/{row}_{column}", camera=camera)
-            for (row, column), camera in GRID.items()
-        ),
-        Motion("house/motion", house_scene, GRID),
-    )
-}
-
-SCENES = _STILL | {"turning": turning("turning", TARGETS["golem"], frames=60)}
-"""The pieces of every scene, by its name."""
-
-USUAL = tuple(_STILL)
-"""The scenes that are rendered if none are named: ``turning`` takes longer than all others."""
+    def make(self, folder, rendering, exr):
+        """Write; nothing is rendered."""
+        data, scene = "../../", f"../../{self.scene}"
+        source = self.style.partition("/")[0]
+        content = {
+            "style": f"{data}{self.style}",
+            "guides": [
+                {
+                    "source": f"{data}{source}/{guide}.png",
+                    "view": f"{scene}/{{view}}/{guide}.png",
+                }
+                for guide in self.guides
+            ],
+            "grid": self.rows,
+            "cameras": {view: camera._asdict() for view, camera in self.cameras.items()},
+        }
+        if self.has_motion:
+            content["motion"] = f"{scene}/motion/{{view}}_to_{{other}}.exr"
+            content["motion_convention"] = "own"
+            content["ids"] = f"{scene}/{{view}}/IDMASK.png"
+            if exr:  # DEPTH.png is larger where it is nearer
+                content["depth"] = f"{scene}/{{view}}/passes.exr:DEPTH"
+        (folder / "views.json").write_text(json.dumps(content, indent=1) + "\n")

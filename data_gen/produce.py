@@ -20,8 +20,8 @@ from pathlib import Path
 from tqdm import tqdm
 
 from data_gen.manifest import Manifest, recipe
-from data_gen.pieces import SCENES, SOURCE, USUAL
 from data_gen.renderer import start
+from data_gen.scenes import SCENES, SOURCE, USUAL
 
 
 def produce(folder, size, scenes=USUAL, samples=64, seed=0, exr=True):
@@ -33,7 +33,7 @@ def produce(folder, size, scenes=USUAL, samples=64, seed=0, exr=True):
     size : (int, int)
         Width, height.
     scenes : iterable of str
-        Names in :data:`data_gen.pieces.SCENES`; the source and the styles are always made.
+        Names in :data:`data_gen.scenes.SCENES`; the source and the styles are always made.
     samples : int
         Samples a pixel.
     seed : int
@@ -55,7 +55,8 @@ def produce(folder, size, scenes=USUAL, samples=64, seed=0, exr=True):
     folder = Path(folder)
     manifest = Manifest.open(folder)
     asked = recipe(size, samples, seed, exr)
-    pieces = [SOURCE, *(piece for scene in dict.fromkeys(scenes) for piece in SCENES[scene])]
+    pieces = [SOURCE, *(piece for scene in scenes for piece in SCENES[scene])]
+    pieces = list({piece.name: piece for piece in pieces}.values())
     if manifest.recipe == asked:
         pieces = [piece for piece in pieces if not manifest.complete(piece.name)]
     if not pieces:

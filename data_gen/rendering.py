@@ -1,5 +1,8 @@
 """Layers of views and motion fields, rendered."""
 
+from itertools import groupby, pairwise
+from operator import itemgetter
+
 import mitsuba as mi
 import mitsuba_oidn as oidn
 import numpy as np
@@ -8,6 +11,7 @@ from data_gen.features import features, trace
 from data_gen.light_paths import LAYERS
 from data_gen.load import load
 from data_gen.motion import motion_field, turned_with
+from data_gen.wireframe import visible_wires
 
 
 class Rendering:
@@ -49,39 +53,51 @@ class Rendering:
         layers = light | features(rendered, scene, camera, surface, light["LSE"])
         return {name: _half(layer) for name, layer in layers.items()}
 
-    def motion(self, scene, grid):
-        """Motion fields between neighbours of a grid of views, both ways.
+    def wires(self, scene, camera):
+        """What a view shows of the edges of a scene.
 
         Parameters
         ----------
         scene : Scene
-        grid : dict of (int, int) to Camera
-            By row and column.
+        camera : Camera
+
+        Returns
+        -------
+        data_gen.wireframe.VisibleWires
+        """
+        return visible_wires(self._load(scene, camera), scene, camera, self.height, self.width)
+
+    def motion(self, scene, cameras, pairs):
+        """Motion fields between views.
+
+        Parameters
+        ----------
+        scene : Scene
+        cameras : dict of str to Camera
+            Of each view.
+        pairs : iterable of (str, str)
+            From which view to which; those from one view lie together.
 
         Yields
         ------
         str, dict of str to (H, W, n) float32
             ``0_0_to_0_1`` and its layers.
         """
-        any_camera = next(iter(grid.values()))
+        any_camera = next(iter(cameras.values()))
         loaded = self._load(scene, any_camera)  # for its surfaces alone
-        for (row, column), camera in grid.items():
-            surface = trace(loaded, scene, camera, self.height, self.width)
-            for down, right in ((0, -1), (0, 1), (-1, 0), (1, 0)):
-                other = row + down, column + right
-                if other in grid:
-                    motion, visible = motion_field(loaded, surface, grid[other])
-                    name = "{}_{}_to_{}_{}".format(row, column, *other)
-                    yield name, {"MOTION": motion, "VISIBLE": visible}
+        for view, its_pairs in groupby(pairs, key=itemgetter(0)):
+            surface = trace(loaded, scene, cameras[view], self.height, self.width)
+            for _, other in its_pairs:
+                motion, visible = motion_field(loaded, surface, cameras[other])
+                yield f"{view}_to_{other}", {"MOTION": motion, "VISIBLE": visible}
 
-    def motion_of_turn(self, scenes, camera, degrees):
+    def motion_of_turn(self, frames, degrees):
         """Motion fields between neighbouring frames of an object that turns, both ways.
 
         Parameters
         ----------
-        scenes : iterable of Scene
-            A frame each; the object is the first part.
-        camera : Camera
+        frames : iterable of (Scene, Camera)
+            The object is the first part of each scene.
         degrees : float
             By which the object turns from a frame to the next.
 
@@ -90,22 +106,18 @@ class Rendering:
         str, dict of str to (H, W, n) float32
             ``00_to_01`` and its layers.
         """
-        frames = enumerate(scenes)
-        last, loaded, surface = self._traced(next(frames), camera)
-        for frame in frames:
-            number, after, surface_after = self._traced(frame, camera)
-            for name, target, seen, turn in (
-                (f"{last:02}_to_{number:02}", after, surface, degrees),
-                (f"{number:02}_to_{last:02}", loaded, surface_after, -degrees),
+        for number, (before, after) in enumerate(pairwise(map(self._traced, frames))):
+            for (_, _, seen), (loaded, camera, _), turn, name in (
+                (before, after, degrees, f"{number:02}_to_{number + 1:02}"),
+                (after, before, -degrees, f"{number + 1:02}_to_{number:02}"),
             ):
-                motion, visible = motion_field(target, turned_with(seen, 0, turn), camera)
+                motion, visible = motion_field(loaded, turned_with(seen, 0, turn), camera)
                 yield name, {"MOTION": motion, "VISIBLE": visible}
-            last, loaded, surface = number, after, surface_after
 
-    def _traced(self, frame, camera):
-        number, scene = frame
+    def _traced(self, frame):
+        scene, camera = frame
         loaded = self._load(scene, camera)
-        return number, loaded, trace(loaded, scene, camera, self.height, self.width)
+        return loaded, camera, trace(loaded, scene, camera, self.height, self.width)
 
     def _load(self, scene, camera):
         integrator = {"type": "light_paths"}

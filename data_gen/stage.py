@@ -1,14 +1,15 @@
 """Scenes: parts with materials, one area light, a camera.
 
 ``on_stage`` is the scene of Fišer et al. 2016 and of thesis 4.1: a red glossy object on a
-white ground before a white wall. ``house_scene`` is an architectural one (Hauptfleisch
-2020), seen from a grid of views.
+white ground before a white wall. ``house_scene`` and ``chapel_scene`` are architectural
+(Hauptfleisch 2020), seen from grids of views.
 """
 
 from typing import NamedTuple
 
 import numpy as np
 
+from data_gen.models.chapel import chapel
 from data_gen.models.house import ground, house
 from data_gen.models.mesh import backdrop
 
@@ -85,5 +86,23 @@ def house_scene():
         parts=house() | {"ground": ground()},
         materials=materials,
         light=Light((16.0, 17.0, 15.0), (0.0, 2.0, 0.0), (2.5, 2.5), 105.0),
+        sky=0.4,
+    )
+
+
+def chapel_scene():
+    """The chapel on dry grass, in a sun that is small enough for the cross' shadow to be sharp."""
+    materials = {
+        "walls": Material((0.82, 0.80, 0.74)),
+        "roof": Material((0.36, 0.20, 0.15)),
+        "glass": Material((0.05, 0.07, 0.10), roughness=0.05),
+        "stone": Material((0.46, 0.43, 0.38)),
+        "copper": Material((0.16, 0.36, 0.30), roughness=0.25),
+        "ground": Material((0.42, 0.40, 0.22)),
+    }
+    return Scene(
+        parts=chapel() | {"ground": ground()},
+        materials=materials,
+        light=Light((12.0, 21.0, 15.0), (0.0, 2.0, 0.0), (0.45, 0.45), 2700.0),
         sky=0.4,
     )

@@ -10,7 +10,7 @@ from stylit_ref.cli.methods import OFFERS, made_params, offer_of
 from stylit_ref.cli.parameter_options import add_parameter
 from stylit_ref.errors import InputError
 from stylit_ref.realtime.params import RealtimeParams
-from stylit_ref.stylization.params import Params
+from stylit_ref.stylization.params import PRESETS, Params
 
 SPELLED = {
     "patch_width": "--patch-size",
@@ -22,7 +22,8 @@ SPELLED = {
 
 _DENSE_PRESETS = (
     "final: the finished picture; fast: a preview, close to the eye, a thirteenth of the work; "
-    "thesis: as final, with the 6 levels of the thesis (default final)"
+    "thesis: as final, with the 6 levels of the thesis; architecture: --method stylit as sketches "
+    "of buildings need it (default final)"
 )
 _REALTIME_PRESETS = (
     "; of --method realtime best: the better picture; quick: six tenths of the time; simple, "
@@ -37,8 +38,8 @@ def add_method(group: argparse._ArgumentGroup, methods: Collection[str] = tuple(
     """Add ``--method`` with a choice of these; the first is the default."""
     texts = "; ".join(f"{name}: {OFFERS[name].text}" for name in methods)
     group.add_argument(
-        "--method", default=next(iter(methods)), metavar="NAME",
-        help=f"{texts} (default %(default)s)",
+        "--method", metavar="NAME",
+        help=f"{texts} (default {next(iter(methods))}, or that of the preset)",
     )  # fmt: skip
 
 
@@ -85,6 +86,12 @@ def parameters_of(*methods: str) -> "list[Field[Any]]":
     return [each for name, each in named.items() if name not in _OTHERS]
 
 
+def method_of(options: argparse.Namespace) -> str:
+    """The method that was named, or that of the preset, or the default."""
+    values = PRESETS.get(getattr(options, "preset", None) or "", {})
+    return options.method or values.get("method", next(iter(OFFERS)))
+
+
 def chosen_params(options: argparse.Namespace) -> Params | RealtimeParams:
     """Parameters of the method that was chosen.
 
@@ -102,15 +109,16 @@ def chosen_params(options: argparse.Namespace) -> Params | RealtimeParams:
     InputError
         If a value is out of range, or for another method.
     """
-    offer = offer_of(options.method)
-    _refuse_others(options)
+    method = method_of(options)
+    offer = offer_of(method)
+    _refuse_others(options, method)
     given = {each.name: getattr(options, each.name, None) for each in parameters_of(*OFFERS)}
     chosen = {name: value for name, value in given.items() if value is not None}
     for name in chosen:
         if name not in offer.heeds:
             methods = [method for method, other in OFFERS.items() if name in other.heeds]
             raise InputError(
-                f"is for --method {', '.join(methods)}; the method is {options.method}",
+                f"is for --method {', '.join(methods)}; the method is {method}",
                 parameter=name,
             )
     values = chosen
@@ -118,26 +126,26 @@ def chosen_params(options: argparse.Namespace) -> Params | RealtimeParams:
         preset = options.preset or next(iter(offer.presets))
         if preset not in offer.presets:
             raise InputError(
-                f"is {preset}, which is not for --method {options.method}; that has "
+                f"is {preset}, which is not for --method {method}; that has "
                 f"{', '.join(offer.presets)}",
                 parameter="preset",
             )
         values = offer.presets[preset] | values
     if "guide" in options:
         values["guide_weights"] = guide_weights(options)
-    return made_params(options.method, values)
+    return made_params(method, values)
 
 
-def _refuse_others(options):
+def _refuse_others(options, method):
     """Refuse what is no parameter, and for other methods alone."""
-    own = offer_of(options.method).options
+    own = offer_of(method).options
     for name in dict.fromkeys(name for offer in OFFERS.values() for name in offer.options):
         if name not in own and name in options:
             default = options.parser.get_default(name)
             if getattr(options, name) != default:
                 methods = [method for method, other in OFFERS.items() if name in other.options]
                 raise InputError(
-                    f"is for --method {', '.join(methods)}; the method is {options.method}, so "
+                    f"is for --method {', '.join(methods)}; the method is {method}, so "
                     "leave it out",
                     parameter=name,
                 )

@@ -49,7 +49,12 @@ def _stylization(method):
     names = [each.name for each in fields(Params)]
     heeds = [name for name in names if method.name in (heeded_by(name) or METHODS)]
     options = "mask", "fill", "save_levels", "backend", "verbose"
-    return Offer(method.text, Params, tuple(heeds), PRESETS, options, stylize, kernels_of_run)
+    presets = {
+        name: values
+        for name, values in PRESETS.items()
+        if values.get("method", method.name) == method.name
+    }
+    return Offer(method.text, Params, tuple(heeds), presets, options, stylize, kernels_of_run)
 
 
 OFFERS = {name: _stylization(method) for name, method in METHODS.items()} | {

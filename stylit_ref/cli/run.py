@@ -18,6 +18,7 @@ from stylit_ref.cli.method_options import (
     add_parameters,
     add_preset,
     chosen_params,
+    method_of,
     parameters_of,
 )
 from stylit_ref.cli.methods import offer_of
@@ -101,7 +102,7 @@ def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
 def run(options: argparse.Namespace) -> None:
     """Read, stylize, write; all is checked before the work starts."""
     start = perf_counter()
-    params, offer = chosen_params(options), offer_of(options.method)
+    params, offer = chosen_params(options), offer_of(method_of(options))
     if isinstance(params, RealtimeParams):
         run_realtime(options, params)
         return

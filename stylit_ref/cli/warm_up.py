@@ -9,6 +9,7 @@ from stylit_ref.cli.method_options import (
     add_parameters,
     add_preset,
     chosen_params,
+    method_of,
 )
 from stylit_ref.cli.methods import offer_of
 from stylit_ref.cli.parameter_options import parsed
@@ -71,7 +72,7 @@ def run(options: argparse.Namespace) -> None:
         needed = []
         if options.only != "texture":
             channels = options.style_channels, options.guide_channels
-            needed += offer_of(options.method).kernels(params, *channels)
+            needed += offer_of(method_of(options)).kernels(params, *channels)
             if isinstance(params, Params):
                 needed += kernels_of_frames(params, SEQUENCE, *channels)
                 needed = list(dict.fromkeys(needed))

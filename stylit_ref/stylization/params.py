@@ -165,7 +165,7 @@ class Params:
 
         Parameters
         ----------
-        name : {"final", "fast", "thesis"}
+        name : {"final", "fast", "thesis", "architecture"}
             One of :data:`PRESETS`.
 
         Raises
@@ -196,13 +196,22 @@ PRESETS: dict[str, dict[str, Any]] = {
     "final": {"levels": ALL},
     "fast": {"levels": 7, "votes": (1, 4, 6), "patchmatch_iterations": 1},
     "thesis": {},
+    "architecture": {
+        "method": "stylit",
+        "levels": ALL,
+        "budget": 0.9,
+        "error_limit": 5.0,
+        "vote_outliers": 4,
+    },
 }
-"""Named effort: values of :class:`Params`, the command line's default first.
+"""Named parameters: values of :class:`Params`, the command line's default first.
 
 ``final``, for the finished picture, works as hard as the thesis, but begins at the coarsest level
 that holds a patch. There a patch shows where the ground ends and the wall begins, even if both are
 lit alike, so that less paint spills (``reports/levels``). ``fast`` is a preview. Votes at coarse
 levels cost little and settle most of what the finest shows, so it spends them there.
+``architecture``, for a sketch of a building seen from another side, has the choices of Hauptfleisch
+2.4.1 and 4.1.2; a wireframe belongs among its guides.
 """
 
 

@@ -14,14 +14,15 @@ from stylit_ref.parameters import Integer, check_fields, parameter
 
 @pytest.fixture
 def seen(monkeypatch):
-    """Parameters of the runs of method ``ref``, each ended where its work would start."""
+    """Parameters of the runs of ``ref`` and ``stylit``, each ended where its work would start."""
     seen = []
 
     def spy(style, source_guides, target_guides, params, **_):
         seen.append(params)
         raise InputError("enough")
 
-    monkeypatch.setitem(OFFERS, "ref", OFFERS["ref"]._replace(run=spy))
+    for method in ("ref", "stylit"):
+        monkeypatch.setitem(OFFERS, method, OFFERS[method]._replace(run=spy))
     return seen
 
 
@@ -56,6 +57,8 @@ def test_presets_fill_in_what_is_not_said(scene, seen):
         ["--preset", "thesis", "--pyramid-levels", "all"],
         ["--preset", "fast"],
         ["--preset", "fast", "--search-vote-iters", "3,9"],
+        ["--preset", "architecture"],
+        ["--preset", "architecture", "--error-limit", "7", "--method", "stylit"],
     ):
         assert main([*command, *more]) == 2
     assert seen == [
@@ -64,6 +67,8 @@ def test_presets_fill_in_what_is_not_said(scene, seen):
         Params(levels="all", guide_weights=(1.0,)),
         Params(**PRESETS["fast"], guide_weights=(1.0,)),
         Params(**(PRESETS["fast"] | {"votes": (3, 9)}), guide_weights=(1.0,)),
+        Params(**PRESETS["architecture"], guide_weights=(1.0,)),
+        Params(**(PRESETS["architecture"] | {"error_limit": 7.0}), guide_weights=(1.0,)),
     ]
 
 
@@ -77,6 +82,10 @@ def test_presets_fill_in_what_is_not_said(scene, seen):
         ),
         (["--method", "guide_map", "--budget", 0.5], "--budget is for --method stylit"),
         (["--method", "magic"], "--method is 'magic'; it must be"),
+        (
+            ["--method", "ref", "--preset", "architecture"],
+            "--preset is architecture, which is not for --method ref; that has final, fast, thesis",
+        ),
         (
             ["--method", "stylit", "--budget", 0],
             "--budget is 0.0; it must be a number above 0 and up to 1, or 'hyperbola'",

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from data_gen.camera import GRID, STAGE_VIEW
+from data_gen.camera import GRID, HOUSE, STAGE, STAGE_ELEVATION, STAGE_VIEW
 
 
 @pytest.mark.parametrize("camera", [STAGE_VIEW, GRID[0, 2]])
@@ -33,3 +33,15 @@ def test_neighbours_of_the_grid_are_five_degrees_apart():
                 a, b = np.array(camera.origin) - middle, np.array(GRID[other].origin) - middle
                 angle = np.degrees(np.arccos(a @ b / np.linalg.norm(a) / np.linalg.norm(b)))
                 assert 4.7 < angle <= 5.0 + 1e-9
+
+
+def test_the_stages_orbit_begins_at_its_view():
+    assert STAGE.at(0, STAGE_ELEVATION).origin == pytest.approx(STAGE_VIEW.origin)
+    assert STAGE.at(-10, STAGE_ELEVATION).origin[0] < 0
+
+
+def test_rows_of_a_grid_rise_and_columns_go_to_the_right():
+    grid = HOUSE.grid((0, 10), (5, 15, 25))
+    assert set(grid) == {(row, column) for row in range(3) for column in range(2)}
+    assert grid[1, 0].origin[1] > grid[0, 0].origin[1]
+    assert grid[0, 1].origin[0] > grid[0, 0].origin[0]

@@ -3,10 +3,12 @@
 import numpy as np
 import pytest
 
-from data_gen.camera import GRID, HOUSE_SOURCE, STAGE_VIEW
+from data_gen.camera import CHAPEL, GRID, HOUSE_SOURCE, STAGE_VIEW
 from data_gen.models import TARGETS, sphere
+from data_gen.models.chapel import chapel
 from data_gen.models.house import house
 from data_gen.models.mesh import polygons, slices
+from data_gen.models.revolved import revolved
 from data_gen.models.teapot import teapot
 
 
@@ -97,6 +99,41 @@ def test_house_fits_all_views_and_its_polygons_look_outwards():
         corners = mesh.vertices[mesh.faces].astype(float)
         volume = np.linalg.det(corners).sum() / 6  # of closed boxes and slabs, counted apart
         assert volume > 0
+
+
+def test_chapel_fits_its_views_with_the_cross_and_looks_outwards():
+    parts = chapel()
+    assert set(parts) == {"walls", "roof", "glass", "stone", "copper"}
+    for azimuth, elevation in ((5, 10), (10, 8), (20, 18)):
+        for mesh in parts.values():
+            places = CHAPEL.at(azimuth, elevation).project(mesh.vertices, 912, 1200)
+            assert (places > 0).all()
+            assert (places < (912, 1200)).all()
+    for mesh in parts.values():
+        assert np.linalg.norm(mesh.normals, axis=1) == pytest.approx(1, abs=1e-5)
+        corners = mesh.vertices[mesh.faces].astype(float)
+        faces = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        agree = (faces * mesh.normals[mesh.faces].mean(axis=1)).sum(axis=1)
+        assert (agree[np.linalg.norm(faces, axis=1) > 1e-9] > 0).all()
+    cross = parts["copper"].vertices
+    bars = cross[cross[:, 1] > 7.2]
+    assert np.ptp(bars[:, 2]) < 0.1
+
+
+def test_a_profile_turned_half_round_has_the_volume_of_a_half_cylinder():
+    profile = [(0, 0), (2.0, 0), (2.0, 3.0), (0, 3.0)]
+    mesh = revolved(profile, (0, 0), 180.0, 360.0)
+    corners = mesh.vertices[mesh.faces].astype(float)
+    assert np.linalg.det(corners).sum() / 6 == pytest.approx(np.pi * 2**2 * 3 / 2, rel=2e-3)
+    assert mesh.vertices[:, 0].max() == pytest.approx(0, abs=1e-6)  # to the left of the axis
+    assert mesh.vertices[:, 0].min() == pytest.approx(-2, abs=1e-6)
+
+
+def test_smooth_profiles_have_normals_of_the_curve():
+    curve = np.radians(np.linspace(-90, 90, 61)[1:-1])
+    ball = revolved(np.stack([np.cos(curve), np.sin(curve)], axis=1), (3.0, 0), smooth=True)
+    away = ball.vertices - (3.0, 0, 0)
+    assert np.abs(away - ball.normals).max() < 0.03
 
 
 def test_slices_lie_on_the_surface_and_in_their_planes():

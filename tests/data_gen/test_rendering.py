@@ -13,7 +13,7 @@ except MissingRendererError as error:
 
 import mitsuba as mi
 
-from data_gen.camera import GRID, HOUSE_SOURCE, STAGE_VIEW
+from data_gen.camera import GRID, HOUSE_SOURCE, STAGE, STAGE_VIEW
 from data_gen.features import HIGHLIGHT, features, trace
 from data_gen.light_paths import LONGEST_PATH, PASSES
 from data_gen.load import load
@@ -23,12 +23,13 @@ from data_gen.models.mesh import polygons, rotation
 from data_gen.models.teapot import teapot
 from data_gen.motion import motion_field
 from data_gen.multilayer_exr import read_layers
-from data_gen.pieces import View, turning
+from data_gen.pieces import View
 from data_gen.produce import produce
 from data_gen.rendering import Rendering
+from data_gen.scenes import turning
 from data_gen.stage import Material, house_scene, on_stage
 from data_gen.visibility import sees
-from data_gen.wireframe import wireframe
+from data_gen.wireframe import visible_wires, wireframe
 
 pytestmark = pytest.mark.slow
 
@@ -205,7 +206,8 @@ def test_wires_are_drawn_where_they_are_seen():
     front, behind, aside = corners + places[0], *(0.5 * corners + place for place in places[1:])
     scene = on_stage(polygons([front, behind, aside]))
     loaded = load(scene, STAGE_VIEW, 228, 300, 1, {"type": "path"})
-    drawn = wireframe(loaded, scene, STAGE_VIEW, 228, 300)[..., 0]
+    wires = visible_wires(loaded, scene, STAGE_VIEW, 228, 300)
+    drawn = wireframe(wires, 228, 300)[..., 0]
 
     def on(square, shift=0.0):
         middles = (square + np.roll(square, -1, axis=0)) / 2
@@ -216,6 +218,24 @@ def test_wires_are_drawn_where_they_are_seen():
     assert (on(aside) > 0.3).all()
     assert (on(behind) < 0.05).all()
     assert (on(front, 4.0) < 0.05).all()
+
+
+def test_runs_of_wires_end_where_something_hides_them_and_are_listed_once():
+    """Two squares that share an edge, which a third one hides in its middle."""
+    left = np.array([(-1.0, 0.2, 0), (0, 0.2, 0), (0, 1.8, 0), (-1.0, 1.8, 0)])
+    cover = np.array([(-0.3, 0.8, 0.5), (0.3, 0.8, 0.5), (0.3, 1.2, 0.5), (-0.3, 1.2, 0.5)])
+    scene = on_stage(polygons([left, left + np.array([1.0, 0, 0]), cover]))
+    loaded = load(scene, STAGE_VIEW, 228, 300, 1, {"type": "path"})
+    runs = visible_wires(loaded, scene, STAGE_VIEW, 228, 300).runs()
+    ends = STAGE_VIEW.project(np.array([(0, 0.2, 0), (0, 1.8, 0)]), 228, 300)[:, ::-1]
+    on_edge = (np.abs(runs[..., 0] - ends[0, 0]) < 1).all(axis=1)
+    upright = runs[on_edge & (np.abs(np.diff(runs[..., 1], axis=1)[:, 0]) > 5)]
+    assert len(upright) == 2
+    rows = np.sort(upright[..., 1].ravel())
+    assert rows[[0, 3]] == pytest.approx(np.sort(ends[:, 1]), abs=1.5)
+    hidden = STAGE_VIEW.project(cover, 228, 300)[[0, 2], 0]
+    assert rows[[1, 2]] == pytest.approx(np.sort(hidden), abs=2.5)
+    assert len(runs) == 4 + 3 + 3 + 2  # of the cover, of each square, of the shared edge
 
 
 def test_a_second_set_has_the_same_bytes_and_resumes(tmp_path):
@@ -252,32 +272,48 @@ def test_an_interrupted_piece_leaves_the_finished_ones(tmp_path, monkeypatch):
     ]  # fmt: skip
 
 
-def turned_teapot(folder, degrees):
+def turned_teapot(folder, degrees, cameras=(STAGE_VIEW, STAGE_VIEW)):
     """What two frames see of a teapot that turns, and the motion fields between them."""
     size = WIDTH * 3, HEIGHT * 3
-    *_, motion = turning("turning", lambda: teapot(steps=12), frames=2, degrees=degrees)
+    *_, motion = turning("turning", lambda: teapot(steps=12), cameras, degrees)
     motion.make(folder, Rendering(size, 1, 0), exr=False)
     surfaces = []
-    for scene in (build() for build in motion.scenes):
-        loaded = load(scene, STAGE_VIEW, *size[::-1], 1, {"type": "path"})
-        surfaces.append(trace(loaded, scene, STAGE_VIEW, *size[::-1]))
+    for scene, camera in zip((build() for build in motion.scenes), cameras, strict=True):
+        loaded = load(scene, camera, *size[::-1], 1, {"type": "path"})
+        surfaces.append(trace(loaded, scene, camera, *size[::-1]))
     return *surfaces, read_layers(folder / "00_to_01.exr"), read_layers(folder / "01_to_00.exr")
+
+
+def distance_after(motion, here, there, degrees, part):
+    """How far the points of a part are from those that its motion leads to, where both are seen."""
+    y, x = np.mgrid[: HEIGHT * 3, : WIDTH * 3]
+    place = [y + motion["MOTION"][..., 1], x + motion["MOTION"][..., 0]]
+    same = motion["VISIBLE"][..., 0] > 0
+    same &= map_coordinates(there.part.astype(float), place, order=1, cval=-9) == part
+    found = [map_coordinates(there.position[..., c], place, order=1) for c in range(3)]
+    back = np.stack(found, axis=-1) @ rotation(-degrees).T
+    assert same[here.part == part].mean() > 0.8
+    return np.linalg.norm(back - here.position, axis=-1)[same & (here.part == part)]
 
 
 def test_motion_of_a_turn_leads_to_the_same_point_of_the_object(tmp_path):
     here, there, forward, _ = turned_teapot(tmp_path, 5.0)
-    y, x = np.mgrid[: HEIGHT * 3, : WIDTH * 3]
-    place = [y + forward["MOTION"][..., 1], x + forward["MOTION"][..., 0]]
     on_object = here.part == 0
-    same = forward["VISIBLE"][..., 0] > 0
-    same &= map_coordinates(there.part.astype(float), place, order=1, cval=-9) == 0
-    found = [map_coordinates(there.position[..., c], place, order=1) for c in range(3)]
-    back = np.stack(found, axis=-1) @ rotation(-5.0).T
-    assert same[on_object].mean() > 0.8
-    distance = np.linalg.norm(back - here.position, axis=-1)[same & on_object]
-    assert np.quantile(distance, 0.95) < 0.01
+    assert np.quantile(distance_after(forward, here, there, 5.0, part=0), 0.95) < 0.01
     assert np.abs(forward["MOTION"][on_object]).max() > 3
     assert np.abs(forward["MOTION"][~on_object]).max() < 1e-3
+
+
+def test_motion_leads_to_the_same_point_if_the_camera_moves_as_well(tmp_path):
+    cameras = STAGE.at(0, 10), STAGE.at(-6, 12)
+    first, second, forward, backward = turned_teapot(tmp_path, 5.0, cameras)
+    for motion, here, there, degrees in (
+        (forward, first, second, 5.0),
+        (backward, second, first, -5.0),
+    ):
+        assert np.quantile(distance_after(motion, here, there, degrees, part=0), 0.95) < 0.01
+        assert np.quantile(distance_after(motion, here, there, 0.0, part=1), 0.95) < 0.01
+        assert np.median(np.abs(motion["MOTION"][here.part == 1][:, 0])) > 3
 
 
 def test_ground_is_hidden_by_where_the_object_is_in_the_other_frame(tmp_path):

@@ -1,0 +1,120 @@
+"""The page of the report on the thesis: coherence of grids and animations, and the claims."""
+
+from functools import partial
+
+from eval.documents.hauptfleisch import architecture, pictures, tables
+from eval.documents.hauptfleisch.claims import TITLES, claims
+from eval.documents.hauptfleisch.plan import METRICS
+from eval.metrics import METRICS as ALL_METRICS
+from eval.metrics import definitions
+from eval.pages.claims import claims_section
+from eval.pages.document import Document, made_on
+from eval.read_frames import GUIDES
+from stylit_ref.machine.code_digest import code_digest
+
+_CODE = code_digest(__file__)
+
+
+def document(plan, missing):
+    """The report on a plan.
+
+    Parameters
+    ----------
+    plan : Plan
+    missing : list of str
+        Why a study is left out.
+
+    Returns
+    -------
+    Document
+    """
+    title = f"Hauptfleisch 2020, preset {plan.name}"
+    return Document(title, plan.tasks, partial(_sections, plan, missing), [_CODE, missing])
+
+
+def _sections(plan, missing, report):
+    return [
+        _preface(plan, missing),
+        *claims_section("What the thesis says, what ours must reach, and what we found",
+                        claims(plan), report),
+        *(block for study in plan.studies.values() for block in _study(study, report)),
+        *_styles(plan, report),
+        *(architecture.section(plan.data, plan.sketches, report) if plan.sketches else ()),
+        *_costs(plan, report),
+        "## What the numbers are",
+        definitions([number for name in METRICS for number in ALL_METRICS[name].NUMBERS]),
+    ]  # fmt: skip
+
+
+def _preface(plan, missing):
+    shown = "; ".join(
+        f"{TITLES[name]}: {study.frames.frames} frames of {study.frames.size}, {study.frames.name}"
+        for name, study in plan.studies.items()
+    )
+    left_out = " ".join(f"Left out: {reason}." for reason in missing)
+    return (
+        f"Our house and our stage ({shown}), seed 0. The house has the thesis' six guides "
+        f"({', '.join(GUIDES)}), neighbouring views are 5 degrees apart, and the painted view is "
+        "15 to 25 degrees away. The thesis' models and styles are not published, and it prints no "
+        "number about coherence: its claims are judged by numbers of ours, and goals are ours. "
+        "Every error stands between a floor, the renderings themselves, and a ceiling, frames "
+        "stylized alone. Patches turned by the projected direction, the thesis' first future work, "
+        f"were not tried. {left_out} Made on:\n\n{made_on(plan.tasks)}"
+    )
+
+
+def _study(study, report):
+    table = tables.ways(study)
+    blocks = [
+        f"## {TITLES[study.name].capitalize()}",
+        report.table(study.name, table, tables.shown(table)),
+        "*of alone* is the warping error over that of frames alone. *of floor* is the error over "
+        "that of the renderings, both for a gradient of 1: motion ends between pixels, so that "
+        "even what moves exactly differs by up to half a pixel, the more the steeper it is. "
+        "Seconds of the processor are of all frames, each run once, state files included; below "
+        "they are compared in turns.",
+    ]
+    for method in study.ways:
+        for name, caption, draw in (
+            ("views", "views side by side", pictures.views_figure),
+            ("crops", "the same points in two views", pictures.crops_figure),
+            ("changes", "what changes between two views", pictures.changes_figure),
+            ("preview", "frames alone, and coherent ones", pictures.preview),
+        ):
+            blocks.append(
+                report.figure(
+                    f"{study.name}_{method}_{name}", f"{method}: {caption}", draw, study, method,
+                    committed=name in ("crops", "changes"),
+                )
+            )  # fmt: skip
+    return [
+        *blocks,
+        f"Changes are shown {pictures.STRENGTH} times larger; grey is what the neighbour does not "
+        "show. Previews run forth and back, frames alone to the left.",
+    ]
+
+
+def _styles(plan, report):
+    table = tables.styles(plan)
+    if len(table) < 2:
+        return []
+    return [
+        "## Every style of the house",
+        report.table("styles", table, table.round(2).astype(str)),
+        "With ref, at the setting that is judged. *alone* and *coherent* are warping errors; "
+        "*floor* is what the renderings would have if they were as steep. Gradient, outlines and "
+        "guides are over those of frames alone.",
+        report.figure("styles", "every style", pictures.styles_figure, plan, committed=True),
+    ]
+
+
+def _costs(plan, report):
+    table = tables.costs(plan)
+    if table.empty:
+        return []
+    return [
+        "## What coherence costs",
+        report.table("costs", table, table.astype(str)),
+        f"Seconds of the processor for all frames, the least of {plan.preset.rounds}, in turns "
+        "with frames alone, kernels compiled; what states cost to write and read stands apart.",
+    ]

@@ -1,0 +1,76 @@
+"""Measure coherent views and animations: chapters 2.4, 3.1 and 3.2 of Hauptfleisch (2020)."""
+
+from pathlib import Path
+
+from data_gen.guides import LIGHT_PASSES
+from eval.documents.hauptfleisch.goals import GOALS
+from eval.documents.hauptfleisch.page import document
+from eval.documents.hauptfleisch.plan import Plan, Study
+from eval.documents.hauptfleisch.presets import PRESETS
+from eval.documents.hauptfleisch.sintel import FLOW, FRAMES, HIDDEN, read_sintel
+from eval.pages.document import make_document
+from eval.pages.options import add_output, folder_of
+from eval.read_frames import GUIDES, read_frames
+from stylit_ref import InputError
+
+SIZES = {"house": "300x228", "large": "600x456", "animation": "300x228"}
+"""Folder in the data, by study."""
+
+SCENES = {"house": "house", "large": "house", "animation": "animation"}
+"""Scene of the data set, by study."""
+
+STYLES = {"house": "inked", "large": "inked", "animation": "oil"}
+"""What was painted over its source: ink strokes leave the building."""
+
+
+def add_options(parser):
+    """Declare what the report may be told."""
+    parser.add_argument(
+        "--preset", choices=PRESETS, default="quick",
+        help="quick: a few minutes on two idle cores; full: more settings with StyLit, longer "
+        "shots, times in turns (default quick)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--data", type=Path, default=Path("build/data"),
+        help="folder whose folders 300x228 and 600x456 are data sets of make data (default "
+        "build/data)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--sintel", type=Path, metavar="FOLDER",
+        help="folder with frames 2 and 3 of alley_1 of MPI Sintel, their flow and occlusions "
+        f"({', '.join((*FRAMES, FLOW, HIDDEN))})",
+    )  # fmt: skip
+    add_output(parser, "hauptfleisch_PRESET")
+
+
+def main(options):
+    """Do the runs and make the report; returns the exit code."""
+    preset = PRESETS[options.preset]
+    studies, missing = {}, []
+    for name, ways in preset.ways.items():
+        try:
+            if name == "sintel":
+                studies[name] = Study(name, read_sintel(options.sintel), ways)
+            else:
+                studies[name] = _study(name, ways, STYLES[name], options.data, preset)
+        except InputError as error:
+            missing.append(f"{name} ({error})")
+    if not studies:
+        raise InputError(f"--data: {'; '.join(missing)}")
+    styles = {}
+    if "house" in studies:
+        judged = {"ref": tuple(goal.coherence for goal in GOALS["house"])}
+        styles = {STYLES["house"]: studies["house"]} | {
+            style: _study("house", judged, style, options.data, preset) for style in preset.styles
+        }
+    plan = Plan(options.preset, preset, studies, styles, options.data / SIZES["house"])
+    return make_document(document(plan, missing), folder_of(options, f"hauptfleisch_{plan.name}"))
+
+
+def _study(name, ways, style, data, preset):
+    is_shot = name == "animation"
+    frames = read_frames(
+        SCENES[name], style, data / SIZES[name],
+        LIGHT_PASSES if is_shot else GUIDES, preset.frames if is_shot else None,
+    )  # fmt: skip
+    return Study(name, frames, ways)
