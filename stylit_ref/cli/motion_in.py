@@ -81,6 +81,8 @@ def find_motion(
     pattern = pattern_of(options.motion, "motion")
     if options.motion_convention != AUTO:
         _check_convention(options.motion_convention)
+    if len(frames) == 1:
+        return {}
     beside = [_beside(options, name, frames) for name in _BESIDE]
     pairs = [
         (to, other)
@@ -112,7 +114,7 @@ def _of_pairs(pattern, numbers, convention, depth, ids):
     for pair, path in files.items():
         first, second = numbers[pair]
         back = pattern.path_of_pair(second, first)
-        beside = [(files[first], files[second]) if files else None for files in (depth, ids)]
+        beside = [(named[first], named[second]) if named else None for named in (depth, ids)]
         found[pair] = VectorsOfPair(path, back if is_there(back) else None, convention, *beside)
     return found
 

@@ -193,6 +193,13 @@ def test_motion_that_is_missing_is_named(shot, capsys):
     assert "there is no file of such a name" in message
 
 
+def test_one_frame_needs_no_motion(shot):
+    folder = shot[0]
+    assert sequence(folder, "--motion", f"{folder}/none.%04d.flo", "--frames", 2) == 0
+    assert sequence(folder, "--frames", 2, "--output", f"{folder}/alone.%d.png") == 0
+    np.testing.assert_array_equal(written(folder, (2,))[0], read_image(folder / "alone.2.png"))
+
+
 def test_nothing_moves_to_another_thing(shot):
     folder, size = shot[0], shot[3][0][0].shape[:2]
     assert sequence(folder) == 0
