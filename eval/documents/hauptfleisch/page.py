@@ -5,7 +5,8 @@ from functools import partial
 import numpy as np
 
 from eval.documents.hauptfleisch import architecture, pictures, tables
-from eval.documents.hauptfleisch.claims import TITLES, claims
+from eval.documents.hauptfleisch.claims import claims
+from eval.documents.hauptfleisch.claims_of_goals import TITLES
 from eval.documents.hauptfleisch.plan import METRICS
 from eval.metrics import METRICS as ALL_METRICS
 from eval.metrics import definitions

@@ -62,6 +62,10 @@ class Study:
             return []
         return [self.job("ref", way, silhouettes=False) for way in self.shown("ref")]
 
+    def judged(self, method):
+        """The runs of those settings, and that of frames alone."""
+        return [self.job(method, way) for way in (ALONE, *self.shown(method))]
+
     def alone(self, method):
         """The run of a method without coherence: the ceiling of every error."""
         return self.job(method, ALONE)
@@ -95,6 +99,8 @@ class Plan:
         The data set of the house.
     turning : FrameSet, optional
         What the long shot is made of.
+    thesis_size : Path, optional
+        A data set of the house whose views have the thesis' size.
     """
 
     name: str
@@ -103,6 +109,7 @@ class Plan:
     styles: dict[str, Study]
     data: Path
     turning: FrameSet | None = None
+    thesis_size: Path | None = None
 
     def costs(self, study, method):
         """The time of coherence: frames alone, and at the setting that is judged."""
@@ -131,10 +138,13 @@ class Plan:
     def tasks(self):
         """Every run once, with the metrics to measure of it."""
         tasks = {}
-        for study in (*self.studies.values(), *self.styles.values()):
+        of_styles = [(study, study.judged("ref")) for study in self.styles.values()]
+        for study, jobs in [(study, study.jobs) for study in self.studies.values()] + of_styles:
             tasks[study.floor.file_name] = Task(study.floor, OF_RENDERINGS)
-            tasks |= {job.file_name: Task(job, METRICS) for job in study.jobs}
+            tasks |= {job.file_name: Task(job, METRICS) for job in jobs}
         tasks |= {task.job.file_name: task for task in architecture.tasks(self.data, self.sketches)}
         others = [self.costs(*each) for each in self.costed]
         others += [] if self.long_shot is None else [self.long_shot]
+        if self.thesis_size is not None:
+            others.append(architecture.job(self.thesis_size, self.sketches[0], "architecture"))
         return [*tasks.values(), *(Task(job, ()) for job in others)]

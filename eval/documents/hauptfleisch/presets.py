@@ -25,8 +25,8 @@ class Preset:
         Other sketches over the house, with ref at the setting that is judged.
     sketches : tuple of str
         Those whose parts of ``--preset architecture`` are switched off.
-    with_long_shot : bool
-        Whether 100 frames of 960x544 are stylized.
+    with_large_times : bool
+        Whether 100 frames of 960x544 are stylized, and a sketch of the thesis' size.
     """
 
     methods: dict[str, Params]
@@ -36,7 +36,7 @@ class Preset:
     costed: tuple[tuple[str, str], ...]
     styles: tuple[str, ...]
     sketches: tuple[str, ...]
-    with_long_shot: bool = False
+    with_large_times: bool = False
 
 
 _WEIGHTS = tuple(Coherence(weight) for weight in (0.25, 0.5, 1.0, 2.0))
@@ -89,6 +89,6 @@ PRESETS = {
         ),
         styles=("hatched", "marker", "two_walls", "unshadowed"),
         sketches=("inked", "hatched", "marker"),
-        with_long_shot=True,
+        with_large_times=True,
     ),
 }
