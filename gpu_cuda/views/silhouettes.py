@@ -50,6 +50,13 @@ def take_nearer_kernel(inverse, rims, is_close, reach, places):
                 if wins and is_nearer(there, inverse[y, x]):
                     closest, nearest = away, there
                     places[y, x, 0], places[y, x, 1] = row, column
+    if closest <= reach * reach:
+        rim_y, rim_x = places[y, x, 0], places[y, x, 1]
+        row = rim_y + (rim_y > y) - (rim_y < y)
+        column = rim_x + (rim_x > x) - (rim_x < x)
+        is_inside = 0 <= row < height and 0 <= column < width
+        if is_inside and not is_nearer(inverse[rim_y, rim_x], inverse[row, column]):
+            places[y, x, 0], places[y, x, 1] = row, column
 
 
 def kernels(sizes):

@@ -7,6 +7,7 @@ from stylit_ref.cli.deep_images import holds_bits_of
 from stylit_ref.cli.finished import tell_finished
 from stylit_ref.cli.parameter_options import whole_number
 from stylit_ref.cli.parser import Parser
+from stylit_ref.cli.replay_frames import replay_frames
 from stylit_ref.errors import InputError
 from stylit_ref.files.colour.bit_depth import to_depth
 from stylit_ref.files.colour.profile import note_another_profile, read_colour_profile
@@ -23,7 +24,10 @@ or enlarged. The run must have written with --nnf where every pixel came from. F
 
   stylit-ref replay --nnf field.npy --style twice_as_large.exr --output large.exr
 
-The file knows the patch width, the mask and the sizes of its run."""
+The file knows the patch width, the mask and the sizes of its run. Of what 'sequence' or 'views'
+wrote with --run, all frames follow:
+
+  stylit-ref replay --run build/run --style oil.png --output 'oil.%%04d.png'"""
 
 
 def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
@@ -34,9 +38,17 @@ def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
         description=_DESCRIPTION,
     )
     parser.set_defaults(command=run, parser=parser)
-    parser.add_argument("--nnf", required=True, metavar="FILE.npy", help="what 'run --nnf' wrote")
+    fields = parser.add_mutually_exclusive_group(required=True)
+    fields.add_argument("--nnf", metavar="FILE.npy", help="what 'run --nnf' wrote")
+    fields.add_argument(
+        "--run", metavar="FOLDER", help="what 'sequence --run' or 'views --run' wrote"
+    )
     parser.add_argument("--style", required=True, metavar="IMAGE", help="the painting to send")
-    parser.add_argument("--output", required=True, metavar="IMAGE", help="the picture to write")
+    parser.add_argument(
+        "--output", required=True, metavar="IMAGE",
+        help="the picture to write; with --run a name in which %%04d, #### or $F4 is the number of "
+        "the frame, or {view} its name",
+    )  # fmt: skip
     parser.add_argument(
         "--mask", metavar="IMAGE",
         help="leave the pixels alone that are white here (default: those that the run left alone)",
@@ -58,6 +70,9 @@ def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
 
 def run(options: argparse.Namespace) -> None:
     """Read, vote, write."""
+    if options.run:
+        replay_frames(options)
+        return
     start = perf_counter()
     style = read_image(options.style)
     field = read_any_field(options.nnf)

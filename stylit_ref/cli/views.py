@@ -3,7 +3,6 @@
 import argparse
 from collections.abc import Sequence
 from dataclasses import replace
-from itertools import permutations
 
 from stylit_ref.cli.method_options import chosen_params
 from stylit_ref.cli.motion_files import VectorsOfPair
@@ -61,7 +60,7 @@ def run(options: argparse.Namespace) -> None:
     guides = [[guide.replace(VIEW, view) for guide in manifest.guides] for view in manifest.views]
     motion = _motion(manifest)
     paths = [*manifest.source_guides, *(path for side in guides for path in side)]
-    refuse_missing([*paths, *(vectors.ahead for vectors in motion.values())])
+    refuse_missing([*paths, *(path for vectors in motion.values() for path in vectors.files)])
     files = ShotFiles(
         options.style or manifest.style, manifest.source_guides, manifest.views, guides, motion,
         manifest.grid, manifest.cameras,
@@ -77,13 +76,16 @@ def _motion(manifest: Manifest) -> dict[tuple[int, int], VectorsOfPair]:
     if manifest.motion is None:
         return {}
     found = {}
-    for to, other in manifest.pairs:
-        ahead, back = (
-            manifest.motion.replace(VIEW, one).replace(OTHER, another)
-            for one, another in permutations((manifest.views[to], manifest.views[other]))
-        )
-        found[to, other] = VectorsOfPair(
-            ahead, back if is_there(back) else None, manifest.motion_convention
+    for pair in manifest.pairs:
+        to, other = (manifest.views[place] for place in pair)
+        ahead = manifest.motion.replace(VIEW, to).replace(OTHER, other)
+        back = manifest.motion.replace(VIEW, other).replace(OTHER, to)
+        beside = [
+            (text.replace(VIEW, to), text.replace(VIEW, other)) if text else None
+            for text in (manifest.depth, manifest.ids)
+        ]
+        found[pair] = VectorsOfPair(
+            ahead, back if is_there(back) else None, manifest.motion_convention, *beside
         )
     return found
 

@@ -17,7 +17,7 @@ from stylit_ref.views.motion.conventions import AUTO, convention_named
 VIEW, OTHER = "{view}", "{other}"
 _KEYS = {
     "style": str, "guides": list, "grid": list, "pairs": list, "motion": str,
-    "motion_convention": str, "cameras": dict,
+    "motion_convention": str, "depth": str, "ids": str, "cameras": dict,
 }  # fmt: skip
 _KEYS_OF_GUIDE = {"source": str, "view": str, "weight": (int, float)}
 _KINDS = {
@@ -44,6 +44,8 @@ class Manifest:
     motion : str or None
         With ``{view}`` and ``{other}``; the vectors lead from the one into the other.
     motion_convention : str
+    depth, ids : str or None
+        With ``{view}``.
     cameras : tuple of dict, or None
         What is said of the camera of each view.
     """
@@ -57,6 +59,8 @@ class Manifest:
     pairs: tuple[tuple[int, int], ...]
     motion: str | None
     motion_convention: str
+    depth: str | None
+    ids: str | None
     cameras: tuple[dict[str, Any], ...] | None
 
 
@@ -101,12 +105,11 @@ def _manifest(content: Any, folder: Path) -> Manifest:
         raise InputError(f"cameras has {strange[0]!r}, which is none of the views")
     if not all(isinstance(camera, dict) for camera in cameras.values()):
         raise InputError("each of cameras must be an object")
-    for text, needed in [(guide["view"], (VIEW,)) for guide in guides] + (
-        [(motion, (VIEW, OTHER))] if motion else []
-    ):
-        for name in needed:
-            if name not in text:
-                raise InputError(f"{text!r} lacks {name}, where the name of a view stands")
+    templates = [*(guide["view"] for guide in guides), values.get("depth"), values.get("ids")]
+    needed = [(text, VIEW) for text in (*templates, motion)] + [(motion, OTHER)]
+    for text, name in needed:
+        if text is not None and name not in text:
+            raise InputError(f"{text!r} lacks {name}, where the name of a view stands")
     return Manifest(
         str(folder / values["style"]),
         tuple(str(folder / guide["source"]) for guide in guides),
@@ -115,8 +118,9 @@ def _manifest(content: Any, folder: Path) -> Manifest:
         views,
         (len(rows), len(rows[0])) if rows is not None else None,
         pairs,
-        str(folder / motion) if motion else None,
+        None if motion is None else str(folder / motion),
         convention,
+        *(None if text is None else str(folder / text) for text in templates[-2:]),
         tuple(cameras.get(view, {}) for view in views) if cameras else None,
     )
 
