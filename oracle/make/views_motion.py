@@ -150,11 +150,13 @@ def _silhouettes(rng):
         "nothing": of_few(rng, [0, -1, np.inf, np.nan, 1e9, 9.9e8, 1]),
         "as_close": of_few(rng, [1, 1.02, 2, 4, 4, 4]),
     } | {name: of_few(rng, [1, 2, 4], size) for name, size in SMALL}
+    depths["thin"] = np.full(SIZE, 4, np.float32)
+    depths["thin"][1, 2] = depths["thin"][3:, 5] = depths["thin"][2, 0] = 1
     labels = of_few(rng, [0, 0, 3, 5], dtype=np.int32)
     for name, depth in depths.items():
         yield "rims", name, {}, {"depth": depth}
     yield "rims", "labels", {}, {"labels": labels}
-    for name, reach in (("plain", 1), ("plane", 2), ("nothing", 2), ("as_close", 3)):
+    for name, reach in (("plain", 1), ("plane", 2), ("nothing", 2), ("as_close", 3), ("thin", 2)):
         yield "beside", name, {"reach": reach}, {"depth": depths[name]}
     yield "beside", "one_row", {"reach": 20}, {"depth": depths["one_row"]}
     yield "beside", "labels", {"reach": 2}, {"labels": labels}

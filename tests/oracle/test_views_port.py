@@ -160,6 +160,21 @@ MISTAKES = {
         "found.append((distance, rim, rim))",
         "beside",
     ),
+    "the rim itself, not what is past it": (
+        "or is_nearer(inverse[rim], inverse[beyond])",
+        "or True",
+        "beside",
+    ),
+    "past a thing of one pixel": (
+        " or is_nearer(inverse[rim], inverse[beyond])",
+        "",
+        "beside",
+    ),
+    "past the end of the frame": (
+        "    if not is_inside(beyond, inverse.shape) or is_nearer",
+        "    beyond = beyond[0] % inverse.shape[0], beyond[1] % inverse.shape[1]\n    if is_nearer",
+        "beside",
+    ),
     "strokes that always reach a pixel": (
         "max(1, (8 * max(size) + 300) // 600)",
         "1",

@@ -56,6 +56,17 @@ def reach_of(size):
     return max(1, (8 * max(size) + 300) // 600)
 
 
+def past(inverse, pixel, rim):
+    """Look past the rim, away from the pixel, unless the thing has ended there."""
+    away = [
+        here + (here > before) - (here < before) for here, before in zip(rim, pixel, strict=True)
+    ]
+    beyond = tuple(away)
+    if not is_inside(beyond, inverse.shape) or is_nearer(inverse[rim], inverse[beyond]):
+        return rim
+    return beyond
+
+
 def taken(inverse, reach):
     """Find what each pixel takes."""
     rims = [tuple(rim) for rim in np.argwhere(rims_of(inverse)).tolist()]
@@ -66,7 +77,7 @@ def taken(inverse, reach):
             distance = (rim[0] - y) ** 2 + (rim[1] - x) ** 2
             if distance <= reach**2 and is_nearer(inverse[rim], inverse[y, x]):
                 found.append((distance, -inverse[rim], rim))
-        places[y, x] = min(found)[2] if found else (y, x)
+        places[y, x] = past(inverse, (y, x), min(found)[2]) if found else (y, x)
     return places
 
 
