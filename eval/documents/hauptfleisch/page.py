@@ -2,14 +2,18 @@
 
 from functools import partial
 
+import numpy as np
+
 from eval.documents.hauptfleisch import architecture, pictures, tables
-from eval.documents.hauptfleisch.claims import TITLES, claims
+from eval.documents.hauptfleisch.claims import claims
+from eval.documents.hauptfleisch.claims_of_goals import TITLES
 from eval.documents.hauptfleisch.plan import METRICS
 from eval.metrics import METRICS as ALL_METRICS
 from eval.metrics import definitions
 from eval.pages.claims import claims_section
 from eval.pages.document import Document, made_on
 from eval.read_frames import GUIDES
+from eval.runs.store import stored
 from stylit_ref.machine.code_digest import code_digest
 
 _CODE = code_digest(__file__)
@@ -41,6 +45,7 @@ def _sections(plan, missing, report):
         *_styles(plan, report),
         *(architecture.section(plan.data, plan.sketches, report) if plan.sketches else ()),
         *_costs(plan, report),
+        *_long_shot(plan, report),
         "## What the numbers are",
         definitions([number for name in METRICS for number in ALL_METRICS[name].NUMBERS]),
     ]  # fmt: skip
@@ -59,7 +64,16 @@ def _preface(plan, missing):
         "number about coherence: its claims are judged by numbers of ours, and goals are ours. "
         "Every error stands between a floor, the renderings themselves, and a ceiling, frames "
         "stylized alone. Patches turned by the projected direction, the thesis' first future work, "
-        f"were not tried. {left_out} Made on:\n\n{made_on(plan.tasks)}"
+        f"were not tried. {_effort(plan.preset)} {left_out} Made on:\n\n{made_on(plan.tasks)}"
+    )
+
+
+def _effort(preset):
+    params = preset.methods["ref"]
+    votes = ", ".join(map(str, np.atleast_1d(params.votes)))
+    return (
+        f"Search-vote iterations (the finest level first): {votes}; PatchMatch iterations: "
+        f"{params.patchmatch_iterations}; α of StyLit: {preset.methods['stylit'].error_limit:g}."
     )
 
 
@@ -117,4 +131,20 @@ def _costs(plan, report):
         report.table("costs", table, table.astype(str)),
         f"Seconds of the processor for all frames, the least of {plan.preset.rounds}, in turns "
         "with frames alone, kernels compiled; what states cost to write and read stands apart.",
+    ]
+
+
+def _long_shot(plan, report):
+    if plan.long_shot is None:
+        return []
+    history = stored(plan.long_shot).history
+    return [
+        "## A long shot",
+        report.table("long_shot", history, history.round(2).astype(str)),
+        "100 frames of 960x544, `stylit-ref sequence --preset fast`, one after the other, with "
+        f"{len(plan.turning.guides[0])} guides: seconds by the clock and of the processor, files "
+        "and start included, kernels compiled; MiB of memory; MB of the work folder at the end; "
+        "warping errors of the frames that were stylized without motion, too. The frames are those "
+        "of a figure that turns, rendered at 500x500, stretched, forth and back.",
+        report.figure("long_shot", "four of the frames", pictures.long_shot_figure, plan),
     ]

@@ -21,7 +21,7 @@ _QUALITY = 70
 def views_figure(study, method, file):
     """The first row of views: renderings, frames alone, and those that pull at each other."""
     shown = range(min(3, study.frames.frames))
-    rows = [[(f"{name} {frame}", images[frame]) for frame in shown]
+    rows = [[(f"{frame}: {name}", images[frame]) for frame in shown]
             for name, images in _pictures(study, method).items()]  # fmt: skip
     contact_sheet(rows, file, tile=_tile(study))
 
@@ -40,6 +40,13 @@ def styles_figure(plan, file):
     contact_sheet(rows, file, tile=300)
 
 
+def long_shot_figure(plan, file):
+    """Four frames of the long shot."""
+    images = stored(plan.long_shot).image
+    rows = [[(str(k), image) for k, image in enumerate(images)]]
+    contact_sheet([rows[0][:2], rows[0][2:]], file, tile=480)
+
+
 def crops_figure(study, method, file):
     """The most detailed place of the middle view, and the same points in its neighbour."""
     to, other = _pair(study)
@@ -55,7 +62,10 @@ def crops_figure(study, method, file):
         for part, move in zip(here, moved[::-1], strict=True)
     )
     sheet = [
-        [(f"{name} {frame}", images[frame][place]) for frame, place in ((to, here), (other, there))]
+        [
+            (f"{frame}: {name}", images[frame][place])
+            for frame, place in ((to, here), (other, there))
+        ]
         for name, images in _pictures(study, method).items()
     ]
     contact_sheet(list(map(list, zip(*sheet, strict=True))), file, tile=260)

@@ -7,6 +7,7 @@ from pathlib import Path
 from eval.documents.hauptfleisch import architecture
 from eval.documents.hauptfleisch.costs import Costs
 from eval.documents.hauptfleisch.goals import GOALS
+from eval.documents.hauptfleisch.long_shot import LongShot
 from eval.documents.hauptfleisch.presets import Preset
 from eval.frame_sets import FrameSet
 from eval.methods.views import Renderings, Views
@@ -23,8 +24,6 @@ METRICS = (
 OF_RENDERINGS = "warping", "loops", "surface_flicker", "gradient"
 """What tells something of frames without paint."""
 
-METHODS = {"ref": Params(), "stylit": Params("stylit")}
-
 ALONE = Coherence(0.0)
 
 
@@ -39,15 +38,17 @@ class Study:
     frames : FrameSet
     ways : dict of str to tuple of Coherence
         How frames pull at each other, by method; frames alone come besides.
+    methods : dict of str to Params
     """
 
     name: str
     frames: FrameSet
     ways: dict[str, tuple[Coherence, ...]]
+    methods: dict[str, Params]
 
     def job(self, method, coherence, silhouettes=True):
         """The run of a method."""
-        return Job(self.frames, Views(METHODS[method], coherence, silhouettes))
+        return Job(self.frames, Views(self.methods[method], coherence, silhouettes))
 
     def shown(self, method):
         """The settings of the pictures: those that are judged, or all if none is."""
@@ -56,10 +57,14 @@ class Study:
 
     @property
     def without_silhouettes(self):
-        """The settings that are judged, with ref and the motion of surfaces alone."""
-        if self.frames.depths is None:
+        """Those settings with ref and the motion of surfaces; large frames are left out."""
+        if self.frames.depths is None or self.name == "large":
             return []
         return [self.job("ref", way, silhouettes=False) for way in self.shown("ref")]
+
+    def judged(self, method):
+        """The runs of those settings, and that of frames alone."""
+        return [self.job(method, way) for way in (ALONE, *self.shown(method))]
 
     def alone(self, method):
         """The run of a method without coherence: the ceiling of every error."""
@@ -92,6 +97,10 @@ class Plan:
         The house in every style, that of its own study first.
     data : Path
         The data set of the house.
+    turning : FrameSet, optional
+        What the long shot is made of.
+    thesis_size : Path, optional
+        A data set of the house whose views have the thesis' size.
     """
 
     name: str
@@ -99,14 +108,21 @@ class Plan:
     studies: dict[str, Study]
     styles: dict[str, Study]
     data: Path
+    turning: FrameSet | None = None
+    thesis_size: Path | None = None
 
     def costs(self, study, method):
         """The time of coherence: frames alone, and at the setting that is judged."""
         settings = tuple(goal.coherence for goal in GOALS[study])
-        params = METHODS[method]
+        params = self.preset.methods[method]
         return Job(
             self.studies[study].frames, Costs(params, (ALONE, *settings), self.preset.rounds)
         )
+
+    @property
+    def long_shot(self):
+        """The run of the long shot, or None."""
+        return None if self.turning is None else Job(self.turning, LongShot())
 
     @property
     def sketches(self):
@@ -122,8 +138,13 @@ class Plan:
     def tasks(self):
         """Every run once, with the metrics to measure of it."""
         tasks = {}
-        for study in (*self.studies.values(), *self.styles.values()):
+        of_styles = [(study, study.judged("ref")) for study in self.styles.values()]
+        for study, jobs in [(study, study.jobs) for study in self.studies.values()] + of_styles:
             tasks[study.floor.file_name] = Task(study.floor, OF_RENDERINGS)
-            tasks |= {job.file_name: Task(job, METRICS) for job in study.jobs}
+            tasks |= {job.file_name: Task(job, METRICS) for job in jobs}
         tasks |= {task.job.file_name: task for task in architecture.tasks(self.data, self.sketches)}
-        return [*tasks.values(), *(Task(self.costs(*each), ()) for each in self.costed)]
+        others = [self.costs(*each) for each in self.costed]
+        others += [] if self.long_shot is None else [self.long_shot]
+        if self.thesis_size is not None:
+            others.append(architecture.job(self.thesis_size, self.sketches[0], "architecture"))
+        return [*tasks.values(), *(Task(job, ()) for job in others)]

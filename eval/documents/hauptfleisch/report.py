@@ -3,7 +3,9 @@
 from pathlib import Path
 
 from data_gen.guides import LIGHT_PASSES
+from eval.documents.hauptfleisch.architecture import architecture_scene
 from eval.documents.hauptfleisch.goals import GOALS
+from eval.documents.hauptfleisch.long_shot import read_turning
 from eval.documents.hauptfleisch.page import document
 from eval.documents.hauptfleisch.plan import Plan, Study
 from eval.documents.hauptfleisch.presets import PRESETS
@@ -32,8 +34,8 @@ def add_options(parser):
     )  # fmt: skip
     parser.add_argument(
         "--data", type=Path, default=Path("build/data"),
-        help="folder whose folders 300x228 and 600x456 are data sets of make data (default "
-        "build/data)",
+        help="folder whose folders 300x228, 600x456 and, for the preset full, 500x500 and 600x500 "
+        "are data sets of make data (default build/data)",
     )  # fmt: skip
     parser.add_argument(
         "--sintel", type=Path, metavar="FOLDER",
@@ -45,32 +47,50 @@ def add_options(parser):
 
 def main(options):
     """Do the runs and make the report; returns the exit code."""
-    preset = PRESETS[options.preset]
-    studies, missing = {}, []
-    for name, ways in preset.ways.items():
-        try:
-            if name == "sintel":
-                studies[name] = Study(name, read_sintel(options.sintel), ways)
-            else:
-                studies[name] = _study(name, ways, STYLES[name], options.data, preset)
-        except InputError as error:
-            missing.append(f"{name} ({error})")
+    preset, data = PRESETS[options.preset], options.data
+    missing = []
+    studies = {
+        name: Study(name, frames, ways, preset.methods)
+        for name, ways in preset.ways.items()
+        if (frames := _found(missing, name, _frames, options, name, STYLES.get(name)))
+    }
     if not studies:
         raise InputError(f"--data: {'; '.join(missing)}")
-    styles = {}
+    styles, turning, thesis_size = {}, None, None
     if "house" in studies:
         judged = {"ref": tuple(goal.coherence for goal in GOALS["house"])}
         styles = {STYLES["house"]: studies["house"]} | {
-            style: _study("house", judged, style, options.data, preset) for style in preset.styles
+            style: Study("house", _frames(options, "house", style), judged, preset.methods)
+            for style in preset.styles
         }
-    plan = Plan(options.preset, preset, studies, styles, options.data / SIZES["house"])
+    if preset.with_large_times:
+        turning = _found(
+            missing, "the long shot", read_turning, data / "500x500", STYLES["animation"]
+        )
+        size = data / "600x500"
+        sketch = _found(missing, "the thesis' size", architecture_scene, size, STYLES["house"])
+        thesis_size = size if sketch and styles else None
+    plan = Plan(
+        options.preset, preset, studies, styles, data / SIZES["house"], turning, thesis_size
+    )  # fmt: skip
     return make_document(document(plan, missing), folder_of(options, f"hauptfleisch_{plan.name}"))
 
 
-def _study(name, ways, style, data, preset):
+def _frames(options, name, style):
+    if name == "sintel":
+        return read_sintel(options.sintel)
     is_shot = name == "animation"
-    frames = read_frames(
-        SCENES[name], style, data / SIZES[name],
-        LIGHT_PASSES if is_shot else GUIDES, preset.frames if is_shot else None,
+    return read_frames(
+        SCENES[name], style, options.data / SIZES[name],
+        LIGHT_PASSES if is_shot else GUIDES,
+        PRESETS[options.preset].frames if is_shot else None,
     )  # fmt: skip
-    return Study(name, frames, ways)
+
+
+def _found(missing, title, read, *arguments):
+    """What is read, or None; then it is noted as missing, and why."""
+    try:
+        return read(*arguments)
+    except InputError as error:
+        missing.append(f"{title} ({error})")
+        return None

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from stylit_ref.errors import InputError
-from stylit_ref.files.motion_file import BLENDER, FLO, NUKE, OTHER
+from stylit_ref.files.motion_file import BLENDER, FLO, OTHER
 from stylit_ref.views.motion.conventions import CONVENTIONS, PROGRAMS, Convention
 from stylit_ref.views.motion.samples import (
     Difference,
@@ -94,7 +94,8 @@ def check_motion(samples: Sequence[Sample]) -> Verdict:
     pairs = range(len(samples[0].vectors.pairs))
     ways = {number: [ways_of(sample, number) for sample in samples] for number in pairs}
     still = _sum(each.still for of_pair in ways.values() for each in of_pair)
-    if change < LEAST_CHANGE:
+    # A small thing that moves is all that counts, whatever stands still around it.
+    if (still.mean if still.pixels else change) < LEAST_CHANGE:
         return Verdict(None, "the pictures do not move", change)
     if _are_zero(samples):
         raise InputError(
@@ -127,8 +128,6 @@ def _trials(samples: Sequence[Sample], ways: dict[int, list[Ways]]):
     programs = [name for name in PROGRAMS if len(CONVENTIONS[name].leads) == count]
     if count == 1:  # own and flo mean the same
         programs = [FLO if dialect == OTHER else dialect]
-    elif dialect == NUKE:
-        programs = programs[::-1]
     for convention in CONVENTIONS.values():
         if convention.name.startswith(tuple(programs)):
             found = _sum(

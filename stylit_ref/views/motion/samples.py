@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import map_coordinates
+from scipy.ndimage import gaussian_filter, map_coordinates
 
 from stylit_ref.errors import InputError
 from stylit_ref.files.motion_file import Vectors
@@ -17,6 +17,9 @@ MOST_PIXELS = 100_000
 
 SHORTEST = 0.5
 """Vectors shorter than this, in pixels, tell nothing: all conventions lead to the same place."""
+
+NOISE = 2
+"""Standard deviation in pixels of what smooths a renderer's noise."""
 
 
 class Sample(NamedTuple):
@@ -128,11 +131,12 @@ def ways_of(sample: Sample, number: int) -> Ways:
 
 
 def change_of(sample: Sample) -> Difference:
-    """How much the pictures differ where nothing is moved, at all pixels."""
+    """How much the pictures differ without motion, at all pixels, once noise is smoothed away."""
     change = Difference()
     for pictures in sample.pictures.values():
+        smooth = [gaussian_filter(picture, NOISE) for picture in pictures]
         pixels = _spread(np.ones(pictures[0].shape, np.bool_))
-        change = change.with_more(_difference(pictures, pixels, np.zeros((len(pixels[0]), 2))))
+        change = change.with_more(_difference(smooth, pixels, np.zeros((len(pixels[0]), 2))))
     return change
 
 

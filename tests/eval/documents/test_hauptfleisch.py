@@ -10,16 +10,18 @@ import pytest
 from PIL import Image
 from small_shot import EFFORT, slides, sliding
 
-import eval.documents.hauptfleisch.plan as plan_module
 import eval.documents.hauptfleisch.report as report_module
 import eval.runs.local
 from eval.__main__ import main
 from eval.documents.hauptfleisch.goals import GOALS
+from eval.documents.hauptfleisch.long_shot import LongShot
 from eval.documents.hauptfleisch.pictures import steps_of
 from eval.documents.hauptfleisch.presets import PRESETS, Preset
+from eval.documents.hauptfleisch.sintel import FLOW, FRAMES, HIDDEN, read_sintel
 from eval.frame_sets import FrameSet
+from eval.metrics.warping import warping_error
 from eval.pages.claims import HELD, NOT_HELD, OPEN
-from stylit_ref import InputError, Params
+from stylit_ref import InputError, Params, write_image
 from stylit_ref.views.frames import grid_pairs
 from stylit_ref.views.params import SEQUENTIAL, Coherence
 
@@ -57,9 +59,11 @@ def tiny(monkeypatch):
         "animation": {"ref": (Coherence(1.0, order=SEQUENTIAL), Coherence(1.0))},
     }
     monkeypatch.setattr(report_module, "read_frames", tiny_frames)
-    monkeypatch.setattr(plan_module, "METHODS", {"ref": Params(**EFFORT)})
+    methods = {"ref": Params(**EFFORT), "stylit": Params("stylit", error_limit=5)}
     monkeypatch.setitem(
-        report_module.PRESETS, "quick", Preset(few, 3, 1, (("house", "ref"),), ("marker",), ())
+        report_module.PRESETS,
+        "quick",
+        Preset(methods, few, 3, 1, (("house", "ref"),), ("marker",), ()),
     )
 
 
@@ -124,3 +128,48 @@ def test_a_preview_of_a_grid_steps_between_neighbours():
     pairs = set(grid_pairs(3, 3))
     assert all(pair in pairs for pair in zip(steps, [*steps[1:], steps[0]], strict=True))
     assert steps_of(4, is_grid=False) == [0, 1, 2, 3, 2, 1]
+
+
+def test_a_long_shot_is_made_by_the_command_and_moves_along(tmp_path):
+    effort = "--pyramid-levels", "3", "--search-vote-iters", "2"
+    shot = LongShot(5, (40, 60), 3, ("--preset", "fast", *effort))
+    scene = tiny_frames("animation", "oil", None, None, None)
+    outcome = shot.run(scene, 0)
+    assert outcome.image.shape == (4, 40, 60, 3)
+    row = outcome.history.iloc[0]
+    assert row["coherent"] < 0.9 * row["alone"]
+    assert (row > 0).all()
+
+
+@pytest.fixture
+def footage(tmp_path):
+    """Two frames whose right half moves by three pixels, over a still left half."""
+    first = np.random.default_rng(0).integers(0, 256, (30, 40, 3), dtype=np.uint8)
+    second = first.copy()
+    second[:, 23:] = first[:, 20:37]
+    for name, image in zip(FRAMES, (first, second), strict=True):
+        write_image(tmp_path / name, image)
+    hidden = np.zeros((30, 40, 1), np.uint8)
+    hidden[:, 37:] = 255
+    write_image(tmp_path / HIDDEN, hidden)
+    flow = np.zeros((30, 40, 2), np.float32)
+    flow[:, 20:, 0] = 3
+    header = np.array([202021.25], np.float32).tobytes() + np.array([40, 30], np.int32).tobytes()
+    (tmp_path / FLOW).write_bytes(header + flow.tobytes())
+    return tmp_path
+
+
+def test_footage_is_read_with_the_way_back(footage):
+    found = read_sintel(footage)
+    assert found.size == "40x30"
+    assert found.style.shape == (30, 40, 3)
+    assert warping_error(found.renderings, found.edges, [(0, 1), (1, 0)]) == 0
+    assert found.edges[0, 1].visible.sum() == 30 * 37
+    assert (found.edges[1, 0].field[:, 23:, 0] == -3).all()
+    assert not found.edges[1, 0].visible[:, 20:23].any()
+
+
+def test_footage_that_lacks_a_file_is_named(footage):
+    (footage / HIDDEN).unlink()
+    with pytest.raises(InputError, match=f"holds no {HIDDEN}"):
+        read_sintel(footage)

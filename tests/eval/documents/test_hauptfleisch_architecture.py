@@ -8,7 +8,7 @@ import pytest
 
 from data_gen.manifest import Manifest
 from eval.documents.hauptfleisch.architecture import (
-    WITHOUT,
+    RUNS,
     architecture_scene,
     claims,
     shown_table,
@@ -19,13 +19,14 @@ from stylit_ref import InputError, write_image
 
 
 def test_each_run_lacks_one_choice():
-    guides, params = WITHOUT["architecture"]
+    guides, params = RUNS["architecture"]
     assert guides == GUIDES
     changes = []
-    for other_guides, other in list(WITHOUT.values())[1:]:
+    for other_guides, other in list(RUNS.values())[1:5]:
         differing = [n for n, value in asdict(params).items() if asdict(other)[n] != value]
         changes.append([*differing, *(set(guides) - set(other_guides))])
     assert changes == [["WIREFRAME"], ["budget"], ["error_limit"], ["vote_outliers"]]
+    assert RUNS["with an ID guide"] == ((*GUIDES, "IDMASK"), params)
 
 
 @pytest.fixture
@@ -33,7 +34,7 @@ def numbers():
     """A table in which all choices help the first sketch, and none the two others."""
     rows = []
     for style, good in (("a", True), ("b", False), ("c", False)):
-        for run in WITHOUT:
+        for run in RUNS:
             helped = (run == "architecture") == good
             rows.append(
                 {
@@ -71,7 +72,7 @@ def test_a_scene_keeps_the_edges_of_the_model_if_no_guide_has_them(tmp_path):
             file.parent.mkdir(parents=True, exist_ok=True)
             write_image(file, np.full((6, 8, 3), 7, np.uint8))
         manifest.add(view)
-    scene = architecture_scene(tmp_path / "set", "inked", WITHOUT["without the wireframe"][0])
+    scene = architecture_scene(tmp_path / "set", "inked", RUNS["without the wireframe"][0])
     assert "WIREFRAME" not in scene.guide_names
     assert set(scene.buffers) == {"WIREFRAME"}
     with pytest.raises(InputError, match=r"does not list sketched_house/sketches/oil\.png"):

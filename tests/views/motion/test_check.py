@@ -76,6 +76,25 @@ def test_a_still_shot_is_undecided():
     assert (verdict.convention, verdict.why) == (None, "the pictures do not move")
 
 
+def test_noise_is_no_motion():
+    rng = np.random.default_rng(0)
+    shown = [100 + rng.normal(0, 3, SIZE).astype(np.float32) for _ in range(2)]
+    still = stored(CONVENTIONS["flo"], np.zeros((*SIZE, 2), np.float32))
+    verdict = check_motion([Sample("a.flo", still, {1: tuple(shown)})])
+    assert (verdict.convention, verdict.why) == (None, "the pictures do not move")
+
+
+def test_a_small_thing_that_moves_is_enough():
+    before, after = np.zeros((2, 60, 90), np.float32)
+    field = np.zeros((60, 90, 2), np.float32)
+    texture = np.random.default_rng(0).random((4, 4)) * 255
+    before[20:24, 30:34], after[21:25, 33:37] = texture, texture
+    field[20:24, 30:34] = 3, 1
+    vectors = Vectors((field,), np.ones((60, 90), bool), None, "flo")
+    verdict = check_motion([Sample("a.flo", vectors, {1: (before, after), -1: (after, before)})])
+    assert verdict.convention.name == "flo"
+
+
 def test_short_vectors_are_undecided():
     vectors = stored(CONVENTIONS["flo"], np.full((*SIZE, 2), 0.4, np.float32))
     verdict = check_motion(square(vectors))
