@@ -46,7 +46,7 @@ def find_frames(options: argparse.Namespace) -> FrameFiles:
     """
     patterns = [pattern_of(target, "guide") for _, target in options.guide]
     found = [pattern.frames() for pattern in patterns]
-    wanted = frames_of(options.frames) if options.frames else sorted(set().union(*found))
+    wanted = frames_of(options.frames) if options.frames else _without_gaps(patterns, found)
     refuse_all(
         [
             _why_missing(pattern.text, there, wanted)
@@ -79,6 +79,19 @@ def pattern_of(text: str, parameter: str) -> FramePattern:
             parameter=parameter,
         )
     return FramePattern(os.path.expanduser(text))  # no shell does that within quotes
+
+
+def _without_gaps(patterns: Sequence[FramePattern], found: Sequence[Sequence[int]]) -> list[int]:
+    """All frames on the disk, which must follow each other."""
+    frames = sorted(set().union(*found))
+    gaps = sorted(set(range(frames[0], frames[-1] + 1)).difference(frames)) if frames else []
+    if gaps:
+        raise InputError(
+            f"{patterns[0].text}: there is no file for {counted(gaps)}; render what is missing, or "
+            "name the frames with --frames",
+            parameter="guide",
+        )
+    return frames
 
 
 def _why_missing(text: str, there: Sequence[int], wanted: Sequence[int]) -> str:

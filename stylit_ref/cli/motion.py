@@ -26,7 +26,7 @@ Find out what the motion vectors of a shot mean: which way is up, which channel 
 whether they lead to the next frame or to the one before. Every convention is tried on the pictures.
 The one along which they differ least is named, for --motion-convention. For instance:
 
-  stylit-ref motion check --guide 'shot/beauty.%%04d.exr' --motion 'shot/vector.%%04d.exr'
+  stylit-ref motion check --guide 'shot/beauty.%04d.exr' --motion 'shot/vector.%04d.exr'
 
 or, for one pair of frames:
 

@@ -23,11 +23,11 @@ Stylize the frames of an animation. Motion vectors tell where each point was in 
 and strokes move with it. For instance, with the passes of Blender:
 
   stylit-ref sequence --preset fast --style painted_sphere.png \\
-      --guide sphere.exr 'shot/scene.%%04d.exr' --guide-layers Combined,DiffDir,IndexOB \\
-      --motion 'shot/scene.%%04d.exr' --motion-convention blender \\
-      --frames 1-100 --output 'out/scene.%%04d.png' --work build/work
+      --guide sphere.exr 'shot/scene.%04d.exr' --guide-layers Combined,DiffDir,IndexOB \\
+      --motion 'shot/scene.%04d.exr' --motion-convention blender \\
+      --frames 1-100 --output 'out/scene.%04d.png' --work build/work
 
-FRAMES is a name in quotes with %%04d, #### or $F4 where the number of the frame stands; the folder
+FRAMES is a name in quotes with %04d, #### or $F4 where the number of the frame stands; the folder
 may have one too. Without --motion every frame is stylized by itself, and strokes flicker."""
 
 _ALONE = (

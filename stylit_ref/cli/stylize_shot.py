@@ -5,6 +5,7 @@ import sys
 from collections.abc import Sequence
 from time import perf_counter
 
+from stylit_ref.cli.finished import counted_frames
 from stylit_ref.cli.progress_line import ProgressLine
 from stylit_ref.cli.shot_in import ShotFiles, read_shot
 from stylit_ref.cli.shot_out import check_shot_outputs
@@ -116,9 +117,10 @@ def _how_to_go_on(work, done, count):
 def _tell_finished(pictures, shot, found, seconds):
     height, width = shot.shot.size
     last = f" to {pictures[-1]}" if len(pictures) > 1 else ""
-    kept = f"; {found} of them were finished before" if found else ""
+    were = "was" if found == 1 else "were"
+    kept = f"; {found} of them {were} finished before" if found else ""
     print(
-        f"wrote {len(pictures)} frames, {pictures[0]}{last} ({width}x{height}), in "
+        f"wrote {counted_frames(len(pictures))}, {pictures[0]}{last} ({width}x{height}), in "
         f"{seconds:.1f} s{kept}",
         file=sys.stderr,
     )

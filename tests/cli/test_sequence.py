@@ -150,6 +150,25 @@ def test_missing_frames_are_all_named_at_once(shot, capsys):
     assert not list(folder.glob("out*"))
 
 
+def test_a_gap_in_the_numbers_is_no_choice(shot, capsys):
+    folder = shot[0]
+    for guide in (0, 1):
+        (folder / f"target_{guide}.0002.png").unlink()
+    message = refused(capsys, sequence(folder))
+    assert "there is no file for frame 2; render what is missing, or name the frames" in message
+    assert not list(folder.glob("out*"))
+    assert sequence(folder, "--frames", "1,3") == 0
+
+
+def test_help_shows_names_as_they_are_typed(capsys):
+    for command in (["sequence"], ["motion", "check"], ["replay"]):
+        with pytest.raises(SystemExit):
+            main([*command, "--help"])
+        said = capsys.readouterr().out
+        assert "%04d" in said
+        assert "%%" not in said
+
+
 def test_frames_of_other_sizes_are_all_named_at_once(shot, capsys):
     folder = shot[0]
     for frame in (2, 3):
