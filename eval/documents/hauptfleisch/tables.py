@@ -43,9 +43,8 @@ def ways(study):
             | {"cpu": stored(job).stages["cpu"]}
         )
     table = pd.DataFrame(rows)
-    first = ["method", "order", "weight", "form", "silhouettes", "of alone", "of floor"]
-    names = [name for name in SHOWN if name in table]
-    return table[[*first, *names, "cpu"]]
+    first = "method", "order", "weight", "form", "silhouettes", "of alone", "of floor"
+    return table[[name for name in (*first, *SHOWN, "cpu") if name in table]]
 
 
 def of_floor(study, job):
