@@ -13,7 +13,7 @@ ARGS ?=
 WORKERS ?= 2
 PYTHONS ?= 3.11 3.12 3.13 3.14
 
-.PHONY: eval reports schedules epsilon stylit spilling levels bench scenes test test-fast test-gpu ptx docs wheel lowest lint data help clean
+.PHONY: eval reports schedules epsilon stylit spilling levels bench scenes test test-fast test-gpu ptx docs wheel lowest lint data blender help clean
 
 eval: $(VENV)/$(if $(SCHEDULER),cluster,eval).installed ## make the report on the thesis: PRESET=quick or thesis, SCHEDULER=ADDRESS, ARGS="--scene DIR"; DOCUMENT=lasram: on texture synthesis, heidrich: on real time
 	$(BIN)/python -m eval $(or $(DOCUMENT),dzurenko) $(if $(PRESET),--preset "$(PRESET)") $(if $(SCHEDULER),--scheduler "$(SCHEDULER)") $(ARGS)
@@ -40,6 +40,10 @@ scenes: report-scenes ## show all scenes, and every target in every style
 
 data: $(VENV)/render.installed ## render scenes and styles: SIZE=1200x912, SCENES=teapot,house
 	$(BIN)/python -m data_gen --size "$(SIZE)" $(if $(SCENES),--scenes "$(SCENES)") $(ARGS)
+
+blender: .venv-blender/bpy.installed $(VENV)/eval.installed ## render a shot in Blender, check its vectors, and stylize it; needs Python 3.11 and 1.2 GB
+	.venv-blender/bin/python data_gen/blender_shot.py build/blender
+	$(BIN)/python -m eval blender $(ARGS)
 
 test: $(VENV)/test.installed ## run all tests; those of the CUDA kernels run in Numba's simulator
 	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal $(ARGS)
@@ -87,6 +91,11 @@ lint: $(VENV)/lint.installed ## ruff, import contracts, and whether every public
 docs: $(VENV)/docs.installed ## build the site, build/site/index.html: docs, notebooks, API, reports
 	$(BIN)/sphinx-build -W --keep-going --quiet -c docs . build/site
 
+.venv-blender/bpy.installed: # in an environment of its own: it needs NumPy 1
+	test -x $(@D)/bin/python || $(PYTHON) -m venv $(@D)
+	$(@D)/bin/python -m pip install --quiet --disable-pip-version-check bpy==5.0.1
+	touch $@
+
 %.installed: pyproject.toml
 	test -x $(@D)/bin/python || $(PYTHON) -m venv $(@D)
 	$(@D)/bin/python -m pip install --quiet --disable-pip-version-check --editable ".[$(*F)]"
@@ -96,4 +105,4 @@ help:
 	@grep -E '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## */\t/'
 
 clean: ## remove the environments and all of build/, with cached runs and rendered scenes
-	rm -rf $(VENV) .venv-ptx build
+	rm -rf $(VENV) .venv-ptx .venv-blender build

@@ -219,4 +219,7 @@ class ViewsManifest:
         if self.has_motion:
             content["motion"] = f"{scene}/motion/{{view}}_to_{{other}}.exr"
             content["motion_convention"] = "own"
+            content["ids"] = f"{scene}/{{view}}/IDMASK.png"
+            if exr:  # DEPTH.png is larger where it is nearer
+                content["depth"] = f"{scene}/{{view}}/passes.exr:DEPTH"
         (folder / "views.json").write_text(json.dumps(content, indent=1) + "\n")

@@ -29,6 +29,7 @@ include_patterns = [
     "oracle/SPEC.md",
     "oracle/texture/SPEC.md",
     "oracle/realtime/SPEC.md",
+    "oracle/views/SPEC.md",
     "README.md",
     "CHANGELOG.md",
     "reports/README.md",

@@ -96,10 +96,36 @@ REALTIME = Family(
         "frame": "9",
         "warm_frame": "9",
         "stroke": "9",
+        "dense_nnf": "10",
+        "vote": "10",
+        "finish": "10",
     },
 )
 
-FAMILIES = STYLIZATION, TEXTURE, REALTIME
+VIEWS = Family(
+    "views",
+    ("views/v1",),
+    {
+        "shift_map": "2",
+        "shift_picture": "2",
+        "cancel": "3",
+        "compose": "3",
+        "splat": "4",
+        "invert": "4",
+        "unhidden": "4",
+        "rims": "5",
+        "beside": "5",
+        "along": "5",
+        "motion": "6",
+        "fold": "7",
+        "weights": "7",
+        "plan": "8",
+        "iteration": "9",
+        "run": "9",
+    },
+)
+
+FAMILIES = STYLIZATION, TEXTURE, REALTIME, VIEWS
 
 FAMILY_OF = {version: family for family in FAMILIES for version in family.versions}
 

@@ -63,6 +63,9 @@ if TYPE_CHECKING:
     from stylit_ref.views.frame_result import FrameResult
     from stylit_ref.views.frame_step import FrameStep
     from stylit_ref.views.frames import Motion, grid_pairs, sequence_pairs
+    from stylit_ref.views.motion.between import motion_between
+    from stylit_ref.views.motion.conventions import FrameMotion
+    from stylit_ref.views.motion.reading import read_motion
     from stylit_ref.views.params import Coherence
     from stylit_ref.views.replaying import ReplayedFrame, replay_run
     from stylit_ref.views.run_folder import Run
@@ -79,6 +82,7 @@ __all__ = [
     "Field",
     "FileShot",
     "FrameCancelledError",
+    "FrameMotion",
     "FrameResult",
     "FrameStep",
     "GuideEncoding",
@@ -108,12 +112,14 @@ __all__ = [
     "drop",
     "grid_pairs",
     "make_tileable",
+    "motion_between",
     "overlay",
     "pack",
     "paint",
     "read_any_field",
     "read_guides",
     "read_image",
+    "read_motion",
     "read_nnf",
     "read_texture_field",
     "read_uint8",
@@ -170,6 +176,9 @@ _HOMES = {
     "texture.synthesize": ("TextureResult", "synthesize_texture"),
     "views.file_shot": ("FileShot",),
     "views.frames": ("Motion", "grid_pairs", "sequence_pairs"),
+    "views.motion.between": ("motion_between",),
+    "views.motion.conventions": ("FrameMotion",),
+    "views.motion.reading": ("read_motion",),
     "views.params": ("Coherence",),
     "views.shot": ("ArrayShot", "Shot"),
     "views.frame_result": ("FrameResult",),

@@ -10,6 +10,8 @@ _TIMBER = np.array((0.80, 0.66, 0.44))
 _COURSE = 0.22
 _BOARD = 0.26
 """Heights of bricks and widths of boards, in units of the scene."""
+_LEAST = 0.1
+"""Share of the wall that a plane has; a strip of a round tower has less."""
 
 
 def two_walls(building, seed=53):
@@ -53,7 +55,8 @@ def _planes_in_turn(building):
     for axis in (0, 2):
         faces = walls & (np.abs(building.normal[..., axis]) > 0.99)
         depth = np.round(2 * building.position[..., axis]) / 2
-        brick |= faces & np.isin(depth, np.unique(depth[faces])[::2])
+        planes, pixels = np.unique(depth[faces], return_counts=True)
+        brick |= faces & np.isin(depth, planes[pixels > _LEAST * faces.sum()][::2])
     return brick, walls & ~brick
 
 

@@ -81,10 +81,8 @@ class Frames:
     """
 
     def __init__(self, scene, params, weights=(), seed=0, threads=None):
-        source, self.target = (
-            {name: scene.buffers[name][side] for name in STAGE_BUFFERS} for side in (0, 1)
-        )
-        self.size = scene.target_guides[0].shape[:2]
+        source = {name: scene.buffers[name][0] for name in STAGE_BUFFERS}
+        self.show(scene)
         self.source_size = scene.style.shape[:2]
         self.packing = _packing(params.packing, source)
         self.session = Session(params, seed=seed, threads=threads)
@@ -92,6 +90,11 @@ class Frames:
         self.session.set_exemplar(features, scene.style, labels)
         weights = dict(weights)
         self.session.set_weights([weights.get(name, 1) for name in self.packing.channels])
+
+    def show(self, scene):
+        """Another target, in the caller's memory."""
+        self.target = {name: scene.buffers[name][1] for name in STAGE_BUFFERS}
+        self.size = scene.target_guides[0].shape[:2]
         self._labels = np.zeros(self.size, np.uint8)
 
     def take(self):

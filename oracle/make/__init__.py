@@ -3,10 +3,11 @@
 import shutil
 
 from oracle.cases import write_case, write_digests
-from oracle.families import FAMILY_OF, REALTIME, STYLIZATION, TEXTURE, folder_of
+from oracle.families import FAMILY_OF, REALTIME, STYLIZATION, TEXTURE, VIEWS, folder_of
 from oracle.make.realtime import realtime_cases
 from oracle.make.stylization import stylization_cases
 from oracle.make.texture import texture_cases
+from oracle.make.views import views_cases
 from oracle.progress import progress
 from stylit_ref.errors import InputError
 
@@ -14,6 +15,7 @@ MAKERS = {
     STYLIZATION.name: stylization_cases,
     TEXTURE.name: texture_cases,
     REALTIME.name: realtime_cases,
+    VIEWS.name: views_cases,
 }
 """For each family a function ``(version) -> cases``."""
 

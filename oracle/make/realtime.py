@@ -7,7 +7,7 @@ import numpy as np
 from oracle.cases import Case
 from oracle.families import REALTIME
 from oracle.make.realtime_packing import packings
-from oracle.make.realtime_scene import PLACE, SEED, Scene, noise, things
+from oracle.make.realtime_scene import PLACE, SEED, Scene, centres, noise, things
 from oracle.stages import run_case
 from stylit_ref.realtime import passes
 from stylit_ref.realtime.params import REALTIME_PRESETS
@@ -97,6 +97,24 @@ FRAMES = {
 }
 """How each whole frame differs from that of ``best``."""
 
+DENSE = {
+    "sums": {},
+    "means_weighed": {"mu": 8, "guide_weights": [3, 0, 5], "terms": "means"},
+    "guides_alone": {"mu": 0},
+    "style_alone": {"mu": 16},
+    "labels": {"labels": True, "target": (14, 17)},
+    "wrong_label": {"labels": True, "source": (12, 13), "target": (11, 12)},
+    "ties": {"constant": True},
+    "wide_7": {"patch_width": 7, "spacing": 4, "channels": 1},
+    "small_source": {"source": (3, 4)},
+    "small_target": {"target": (2, 3)},
+    "one_pixel": {"source": (1, 1), "target": (1, 1)},
+    "contrast": CONTRAST,
+}
+"""How the level of each dense NNF differs from the plain one."""
+
+FINISHES = "best", "quick", "labels", "no_weight", "one_row"
+
 WARM = "best", "quick", "optimized", "bilinear", "labels"
 STROKES = "best", "quick", "simple", "guides_only"
 
@@ -142,6 +160,14 @@ def _inputs():
         moved = np.roll(arrays["target_guides"], 1, axis=1)
         arrays |= {"target_guides": moved, "nnf": before["nnf"]}
         yield "warm_frame", name, parameters, arrays
+    for number, (name, differences) in enumerate(DENSE.items()):
+        scene = Scene(700 + number, **differences)
+        yield "dense_nnf", name, scene.parameters, scene.arrays
+    yield from _votes()
+    for number, name in enumerate(FINISHES):
+        parameters, arrays = _frame(800 + number, **FRAMES[name])
+        nnf = answer("frame", parameters, arrays)["nnf"]
+        yield "finish", name, parameters, arrays | {"nnf": nnf}
     for number, name in enumerate(STROKES):
         parameters, arrays = _frame(400 + number, **FRAMES[name])
         stroke = arrays["source_style"].copy()
@@ -256,6 +282,25 @@ def _blends():
         }  # fmt: skip
         arrays = {name: scene.arrays[name] for name in ("source_style", "nnf")}
         yield "blend", name, numbers, arrays
+
+
+def _votes():
+    for number, (name, source, target, patch_width) in enumerate(
+        (
+            ("plain", (9, 11), (10, 13), 5),
+            ("wide_7", (9, 11), (10, 13), 7),
+            ("small_source", (2, 3), (9, 10), 5),
+            ("small_target", (9, 8), (2, 3), 5),
+            ("one_pixel", (1, 1), (1, 1), 7),
+            ("one_column", (8, 9), (13, 1), 3),
+        )
+    ):
+        scene = Scene(750 + number, source=source, target=target, patch_width=patch_width)
+        first, last = centres(source, patch_width)
+        rng = np.random.default_rng(750 + number)
+        dense = rng.integers(first, last + 1, (*target, 2)).astype(np.int32)
+        arrays = {"source_style": scene.arrays["source_style"], "dense": dense}
+        yield "vote", name, {"patch_width": patch_width}, arrays
 
 
 def _upsampling(rng):

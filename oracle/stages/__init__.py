@@ -3,7 +3,7 @@
 from types import ModuleType
 from typing import NamedTuple
 
-from oracle.families import REALTIME, STYLIZATION, TEXTURE, Family
+from oracle.families import REALTIME, STYLIZATION, TEXTURE, VIEWS, Family
 from oracle.stages import (
     realtime,
     realtime_frames,
@@ -12,11 +12,14 @@ from oracle.stages import (
     stylization,
     texture,
     texture_runs,
+    views,
+    views_runs,
 )
 from oracle.stages.stage import Stage
 from stylit_ref import passes as stylization_passes
 from stylit_ref.realtime import passes as realtime_passes
 from stylit_ref.texture import passes as texture_passes
+from stylit_ref.views import passes as views_passes
 
 
 class System(NamedTuple):
@@ -37,6 +40,7 @@ SYSTEMS = {
     STYLIZATION.name: System(stylization_passes, stylization.STAGES | runs.STAGES | stylit.STAGES),
     TEXTURE.name: System(texture_passes, texture.STAGES | texture_runs.STAGES),
     REALTIME.name: System(realtime_passes, realtime.STAGES | realtime_frames.STAGES),
+    VIEWS.name: System(views_passes, views.STAGES | views_runs.STAGES),
 }
 """The system of each family, by the family's name."""
 

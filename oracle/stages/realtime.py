@@ -171,6 +171,27 @@ def _upsample_picture(passes, parameters, arrays):
     return {"picture": interior(fine, STYLE_LANES)[..., :3].copy()}
 
 
+def _dense_nnf(passes, parameters, arrays):
+    level = level_of(passes, parameters, arrays)
+    params, lanes = level.exemplar.layout.params, level.exemplar.layout.lanes_read(0)
+    guides, style, _ = level.target.read_at(0)
+    labels = arrays.get("target_labels", np.zeros((0, 0), np.uint8))
+    dense = np.empty(level.target.size, np.int32)
+    passes.make_dense_nnf(params.patch_width, params.step, lanes)(
+        entries_of(arrays["nnf"]), level.exemplar.read_at(0), guides, style,
+        level.refinement.by_level[0], labels, level.exemplar.labels[0], dense,
+    )  # fmt: skip
+    return {"dense": places_of(dense)}
+
+
+def _vote(passes, parameters, arrays):
+    params = params_of(parameters)
+    style = style_image(passes, arrays["source_style"], Layout(params, 1, passes))
+    picture = np.empty((*arrays["dense"].shape[:2], 3), np.uint8)
+    passes.make_vote(params.patch_width)(entries_of(arrays["dense"]), style, picture)
+    return {"picture": picture}
+
+
 STAGES = {
     "pack_stage": Stage(_pack_stage),
     "pack_all": Stage(_pack_all),
@@ -183,6 +204,8 @@ STAGES = {
     "energy": Stage(_energy, LEVEL),
     "search": Stage(_search, (*LEVEL, *LABELS, "make_search")),
     "blend": Stage(_blend, ("make_fill", "make_blend")),
+    "dense_nnf": Stage(_dense_nnf, (*LEVEL, *LABELS, "make_dense_nnf")),
+    "vote": Stage(_vote, ("make_fill", "make_vote")),
     "upsample_nnf": Stage(_upsample_nnf, ("upsample_nnf",)),
     "upsample_picture": Stage(_upsample_picture, ("make_fill", "upsample_picture")),
 }

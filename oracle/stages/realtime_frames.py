@@ -1,4 +1,6 @@
-"""Whole frames of the real-time method: cold, warm, and after a stroke."""
+"""Whole frames of the real-time method: cold, warm, after a stroke, and with a dense finish."""
+
+from dataclasses import replace
 
 from oracle.stages.realtime import STAGES as LEVEL_STAGES
 from oracle.stages.realtime_level import params_of
@@ -6,8 +8,9 @@ from oracle.stages.stage import Stage
 from stylit_ref.realtime.session import Session
 
 
-def _session(passes, parameters, arrays):
-    session = Session(params_of(parameters), seed=parameters["seed"], passes=passes)
+def _session(passes, parameters, arrays, dense_finish=False):
+    params = replace(params_of(parameters), dense_finish=dense_finish)
+    session = Session(params, seed=parameters["seed"], passes=passes)
     session.set_exemplar(
         arrays["source_guides"], arrays["source_style"], arrays.get("source_labels")
     )
@@ -38,10 +41,17 @@ def _stroke(passes, parameters, arrays):
     return {"nnf": nnf, "replayed": replayed, "picture": picture, "new_nnf": session.nnf}
 
 
+def _finish(passes, parameters, arrays):
+    session = _session(passes, parameters, arrays, dense_finish=True)
+    session.nnf = arrays["nnf"]
+    return {"picture": session.replay(), "dense": session.dense_nnf()}
+
+
 _PASSES = *dict.fromkeys(n for stage in LEVEL_STAGES.values() for n in stage.passes), "mark_labels"
 
 STAGES = {
     "frame": Stage(_frame, _PASSES),
     "warm_frame": Stage(_warm_frame, _PASSES),
     "stroke": Stage(_stroke, _PASSES),
+    "finish": Stage(_finish, _PASSES),
 }

@@ -14,6 +14,7 @@ from stylit_ref.cli import (
     edit_texture,
     example,
     layers,
+    motion,
     oracle,
     replay,
     replay_texture,
@@ -49,6 +50,7 @@ COMMANDS = (
     edit_texture,
     replay_texture,
     layers,
+    motion,
     doctor,
     warm_up,
     oracle,
@@ -73,8 +75,8 @@ def main(arguments: list[str] | None = None) -> int:
     Returns
     -------
     int
-        Exit code: 0 on success, 1 where a port differs from the oracle, 2 for input that cannot
-        be used, 130 when interrupted.
+        Exit code: 0 on success, 1 where a port differs from the oracle or a check decides nothing,
+        2 for input that cannot be used, 130 when interrupted.
     """
     parser = make_parser()
     if not (sys.argv[1:] if arguments is None else arguments):

@@ -1,6 +1,7 @@
 """The files of a sequence: for each frame, the guides that patterns name."""
 
 import argparse
+import os
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -77,7 +78,7 @@ def pattern_of(text: str, parameter: str) -> FramePattern:
             "stands, and put the name in quotes",
             parameter=parameter,
         )
-    return FramePattern(text)
+    return FramePattern(os.path.expanduser(text))  # no shell does that within quotes
 
 
 def _why_missing(text: str, there: Sequence[int], wanted: Sequence[int]) -> str:

@@ -1,6 +1,6 @@
 """Files that tell the motion from one frame into another."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import TypeVar
 
@@ -8,8 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
+from stylit_ref.files.disk.paths import split_layer
 from stylit_ref.files.guides.encoding import labels_of
+from stylit_ref.files.layers.contents import contents_of
+from stylit_ref.files.motion_flo import read_flo
 from stylit_ref.files.picture import read_picture
+from stylit_ref.stylization.checks import size_text
 from stylit_ref.views.file_shot import files_digest
 from stylit_ref.views.frames import Motion
 from stylit_ref.views.motion.between import motion_between
@@ -123,6 +127,46 @@ class VectorsOfPair:
 
 MotionFiles = VectorsOfFrames | VectorsOfPair
 """Where the motion of a pair of frames comes from."""
+
+
+def check_motion_files(motion: Iterable[MotionFiles], size: tuple[int, int]) -> list[str]:
+    """What keeps motion from being used, before it is.
+
+    Of all files the size is looked at, and the first pair is read whole.
+
+    Parameters
+    ----------
+    motion : iterable of MotionFiles
+    size : tuple of 2 int
+        Rows and columns of the frames.
+
+    Returns
+    -------
+    list of str
+        A sentence each.
+    """
+    motion, problems = list(motion), []
+    for path in dict.fromkeys(path for each in motion for path in each.files):
+        try:
+            found = _size_of(path)
+        except InputError as error:
+            problems.append(str(error))
+            continue
+        if found != size:
+            problems.append(
+                f"{path}: is {size_text(found)} but the frames are {size_text(size)}; all must "
+                "have the same size"
+            )
+    if motion and not problems:
+        motion[0].read()
+    return problems
+
+
+def _size_of(path):
+    file, _ = split_layer(path)
+    if file.suffix.lower() == ".flo":
+        return read_flo(file).shape[:2]
+    return contents_of(file).layers[0].size
 
 
 def _reading(files: Mapping[int, str], read: Callable[[str], Read]) -> Callable[[int], Read | None]:

@@ -21,7 +21,7 @@ from stylit_ref.views.motion.conventions import (
 )
 from stylit_ref.views.params import SEQUENTIAL
 
-_NOT_ALONE = "motion_convention", "depth", "ids"
+_BESIDE = "motion_depth", "motion_ids"
 
 
 def add_motion_options(group: argparse._ArgumentGroup) -> None:
@@ -38,12 +38,13 @@ def add_motion_options(group: argparse._ArgumentGroup) -> None:
         "%(default)s)",
     )  # fmt: skip
     group.add_argument(
-        "--depth", metavar="FRAMES",
+        "--depth", dest="motion_depth", metavar="FRAMES",
         help="depth of the frames in floating point, where farther is larger; it tells what hides "
-        "what",
+        "what, and strokes beside a silhouette then move with what they belong to",
     )  # fmt: skip
     group.add_argument(
         "--ids",
+        dest="motion_ids",
         metavar="FRAMES",
         help="IDs of the frames, or flat colours; no stroke moves from one thing to another",
     )
@@ -73,14 +74,16 @@ def find_motion(
         If files are missing, which are all named, or nothing tells their convention.
     """
     if not options.motion:
-        for name in _NOT_ALONE:
+        for name in ("motion_convention", *_BESIDE):
             if getattr(options, name) != options.parser.get_default(name):
                 raise InputError("is of use with --motion alone; leave it out", parameter=name)
         return {}
     pattern = pattern_of(options.motion, "motion")
     if options.motion_convention != AUTO:
         _check_convention(options.motion_convention)
-    beside = [_beside(options, name, frames) for name in ("depth", "ids")]
+    if len(frames) == 1:
+        return {}
+    beside = [_beside(options, name, frames) for name in _BESIDE]
     pairs = [
         (to, other)
         for to, other in sequence_pairs(len(frames))
@@ -111,7 +114,7 @@ def _of_pairs(pattern, numbers, convention, depth, ids):
     for pair, path in files.items():
         first, second = numbers[pair]
         back = pattern.path_of_pair(second, first)
-        beside = [(files[first], files[second]) if files else None for files in (depth, ids)]
+        beside = [(named[first], named[second]) if named else None for named in (depth, ids)]
         found[pair] = VectorsOfPair(path, back if is_there(back) else None, convention, *beside)
     return found
 

@@ -71,10 +71,11 @@ def run(options: argparse.Namespace) -> None:
         for name, text in (("output", options.output), ("nnf", options.nnf))
     ]
     found = find_frames(options)
+    digits = len(str(found.frames[-1]))
     files = ShotFiles(
         options.style,
         files_of_side(options, [source for source, _ in options.guide]),
-        [str(frame) for frame in found.frames],
+        [str(frame).zfill(digits) for frame in found.frames],
         found.guides,
         find_motion(options, found.frames, coherence.order),
     )

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stylit_ref.cli.guide_options import guide_encoding
-from stylit_ref.cli.motion_files import MotionFiles
+from stylit_ref.cli.motion_files import MotionFiles, check_motion_files
 from stylit_ref.cli.progress_line import ProgressLine
 from stylit_ref.errors import InputError
 from stylit_ref.files.disk.paths import is_there
@@ -169,7 +169,8 @@ def _look_at_all(files, needs_values, line) -> list[list[GuideLook]]:
     refuse_all(problems)
     guides = len(files.source_guides)
     by_guide = [looks[number::guides] for number in range(guides)]
-    refuse_all(list(_misfits(files, by_guide)))
+    problems = list(_misfits(files, by_guide))
+    refuse_all([*problems, *check_motion_files(files.motion.values(), by_guide[0][1].size)])
     return by_guide
 
 

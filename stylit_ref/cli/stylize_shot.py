@@ -6,17 +6,17 @@ from collections.abc import Sequence
 from time import perf_counter
 
 from stylit_ref.cli.progress_line import ProgressLine
-from stylit_ref.cli.shot_in import ShotFiles, ShotIn, read_shot
+from stylit_ref.cli.shot_in import ShotFiles, read_shot
 from stylit_ref.cli.shot_out import check_shot_outputs
 from stylit_ref.files.colour.profile import read_colour_profile
 from stylit_ref.files.disk.paths import check_folder
 from stylit_ref.notes import note
 from stylit_ref.stylization.params import Params
-from stylit_ref.stylization.warm_up import kernels_of_run
 from stylit_ref.views.params import Coherence
 from stylit_ref.views.problem import make_problem
 from stylit_ref.views.run_writer import RunWriter
 from stylit_ref.views.stylize_views import stylize_views
+from stylit_ref.views.warm_up import kernels_of_frames
 
 
 def stylize_shot(
@@ -62,7 +62,8 @@ def stylize_shot(
             check_folder(folder)
         if not coherence.weight:
             note(alone)
-        line.compile(lambda: _kernels(shot, params, coherence))
+        channels = shot.style.shape[2], shot.shot.channels
+        line.compile(lambda: kernels_of_frames(params, coherence, *channels))
         writer = _run_writer(options, files, shot, params, coherence) if options.run else None
         try:
             for result in stylize_views(
@@ -101,14 +102,6 @@ def _place(step):
         f"frame {step.frame + 1} of {step.frames}, level {step.level} of {step.levels}, "
         f"round {step.vote} of {step.votes}"
     )
-
-
-def _kernels(shot: ShotIn, params: Params, coherence: Coherence):
-    """What a frame calls; the search of StyLit also reads how far its neighbours are apart."""
-    channels = list(shot.shot.channels)
-    if params.traits.chooses_targets and coherence.weight and shot.shot.pairs:
-        channels.append(1)
-    return kernels_of_run(params, shot.style.shape[2], channels)
 
 
 def _how_to_go_on(work, done, count):

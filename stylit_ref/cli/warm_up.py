@@ -16,11 +16,14 @@ from stylit_ref.cli.parameter_options import parsed
 from stylit_ref.cli.parser import Parser
 from stylit_ref.cli.progress_line import ProgressLine
 from stylit_ref.machine.kernel import compile_missing
+from stylit_ref.stylization.params import Params
 from stylit_ref.stylization.warm_up import GUIDE_CHANNELS, SIX_GUIDES, STYLE_CHANNELS
 from stylit_ref.texture.warm_up import kernels_of_all_textures
+from stylit_ref.views.params import SEQUENCE
+from stylit_ref.views.warm_up import kernels_of_frames
 
 _DESCRIPTION = """\
-Compile kernels ahead and keep them on disk, so that the first picture and the first texture need
+Compile kernels ahead and keep them on disk, so that the first picture, sequence and texture need
 not wait for them. Runs of the same method, patch size and numbers of channels share them, whatever
 the size of the images. Without options they are those of the picture that 'stylit-ref example'
 leads to, and those of all textures."""
@@ -43,8 +46,10 @@ def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
     )
     parser.set_defaults(command=run, parser=parser)
     parser.add_argument(
-        "--only", choices=_COMMANDS, help="compile for this command alone (default: for both)"
-    )
+        "--only", choices=_COMMANDS,
+        help="compile for this command alone; run stands for 'sequence' and 'views' too (default: "
+        "for all)",
+    )  # fmt: skip
     add_method(parser)
     add_preset(parser)
     add_parameters(parser, _COMPILED_FOR)
@@ -66,9 +71,11 @@ def run(options: argparse.Namespace) -> None:
     with ProgressLine(options.quiet) as line:
         needed = []
         if options.only != "texture":
-            needed += offer_of(method_of(options)).kernels(
-                params, options.style_channels, options.guide_channels
-            )
+            channels = options.style_channels, options.guide_channels
+            needed += offer_of(method_of(options)).kernels(params, *channels)
+            if isinstance(params, Params):
+                needed += kernels_of_frames(params, SEQUENCE, *channels)
+                needed = list(dict.fromkeys(needed))
         if options.only != "run":
             needed += kernels_of_all_textures()
         count = compile_missing(needed, line.compiling)

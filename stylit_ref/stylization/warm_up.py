@@ -10,7 +10,7 @@ from stylit_ref import passes
 from stylit_ref.machine.kernel import Specialization, compile_missing, rehearsal
 from stylit_ref.machine.replaced import replaced
 from stylit_ref.parameters import Integer, Several
-from stylit_ref.stylization.backends import CPU
+from stylit_ref.stylization.backends import CPU, Backend
 from stylit_ref.stylization.params import Params, as_params
 from stylit_ref.stylization.problem import make_synthesis
 
@@ -87,9 +87,14 @@ def kernels_of_run(
     # λ decides about no kernel, and need not be one that suits such small images.
     short = replace(params, levels=2, votes=1, patchmatch_iterations=1, uniformity=0)
     with rehearsal() as rehearsed:
-        own = replaced(passes, random_nnf=_first_nnf, energy=_no_energy)
-        make_synthesis(style, black, black, short, backend=CPU._replace(passes=own)).finish()
+        make_synthesis(style, black, black, short, backend=rehearsing_backend()).finish()
     return list(rehearsed)
+
+
+def rehearsing_backend() -> Backend:
+    """The CPU, for runs whose kernels do nothing: what they would leave is made up."""
+    own = replaced(passes, random_nnf=_first_nnf, energy=_no_energy)
+    return CPU._replace(passes=own)
 
 
 def _first_nnf(nnf, patch_width, *others):

@@ -3,6 +3,7 @@
 import secrets
 import threading
 from collections.abc import Iterator, Mapping, Sequence
+from concurrent.futures import CancelledError
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import lru_cache
@@ -66,7 +67,7 @@ def do_on_cluster(job: Job, scheduler: str, missing: Sequence[Task]) -> Iterator
     Yields
     ------
     Task
-        Each when it is done. It ends early if a state has gone missing.
+        Each when it is done. It ends early if a state has gone missing, or what machines know.
 
     Raises
     ------
@@ -94,6 +95,8 @@ def do_on_cluster(job: Job, scheduler: str, missing: Sequence[Task]) -> Iterator
                 if not future.result():
                     return
                 yield from bundles[future]
+        except CancelledError:  # the last machine that knew the job is gone: tell the others anew
+            return
         finally:
             client.cancel(list(bundles))
 

@@ -3,6 +3,7 @@
 import hashlib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 from typing import Protocol
 
@@ -127,6 +128,14 @@ def files_digest(files: Sequence[str | Path], facts: str = "") -> str:
     digest = hashlib.sha256(facts.encode())
     for path in files:
         file, layer = split_layer(path)
-        with file.open("rb") as content:
-            digest.update(f" {layer} {hashlib.file_digest(content, 'sha256').hexdigest()}".encode())
+        state = file.stat()
+        content = _digest_of(file.absolute(), state.st_size, state.st_mtime_ns)
+        digest.update(f" {layer} {content}".encode())
     return digest.hexdigest()
+
+
+@lru_cache(maxsize=4096)
+def _digest_of(file, size, changed):
+    """Taken once of a file that does not change: all layers of a frame may be in one."""
+    with file.open("rb") as content:
+        return hashlib.file_digest(content, "sha256").hexdigest()

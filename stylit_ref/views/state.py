@@ -25,6 +25,11 @@ class State(NamedTuple):
     nnf: NDArray[np.int32]
     picture: NDArray[np.uint8]
 
+    @property
+    def nbytes(self) -> int:
+        """Bytes that both arrays take in memory."""
+        return self.nnf.nbytes + self.picture.nbytes
+
     def to_bytes(self) -> bytes:
         """The state as a file holds it: a checksum, sizes, the NNF, and the picture.
 

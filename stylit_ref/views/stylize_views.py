@@ -141,4 +141,5 @@ def _results(problem, bench, work, scheduler, threads, progress, *, is_grey):
             do_all = partial(do_on_cluster, job, scheduler)
         for frame, state in walk.run(do_all, progress):
             image = state.picture[:, :, 0] if is_grey else state.picture
-            yield FrameResult(frame, problem.shot.names[frame], image, state.nnf)
+            # Copies: the walk still reads the state, whatever a caller does to its result.
+            yield FrameResult(frame, problem.shot.names[frame], image.copy(), state.nnf.copy())

@@ -4,12 +4,16 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from stylit_ref.machine.thread_count import using_threads
 from stylit_ref.views.frame_step import FrameStep
+from stylit_ref.views.kept import Kept
 from stylit_ref.views.params import SEQUENTIAL
 from stylit_ref.views.plan import Plan, Task
 from stylit_ref.views.problem import Problem
 from stylit_ref.views.state import State
 from stylit_ref.views.work_folder import WorkFolder
 from stylit_ref.views.workbench import Workbench
+
+ROOM = 128 << 20
+"""Bytes for states that are not read from the disk again."""
 
 
 class Walk:
@@ -46,6 +50,7 @@ class Walk:
     ) -> None:
         self._shot, self._folder, self._bench = problem.shot, folder, bench
         self._keys, self._threads, self.plan = keys, threads, problem.plan()
+        self._recent = Kept(ROOM)
 
     def run(
         self,
@@ -86,7 +91,7 @@ class Walk:
 
     def missing(self) -> list[Task]:
         """The tasks to do until all frames are finished, in their order."""
-        return self.plan.missing(lambda task: self._state(task) is not None)
+        return self.plan.missing(lambda task: self._folder.get(self._keys[task]) is not None)
 
     def do_here(self, missing: Sequence[Task]) -> Iterator[Task]:
         """Do tasks one after the other, in this process."""
@@ -111,6 +116,7 @@ class Walk:
         with using_threads(self._threads):
             state = self._bench.make(task, reads[before] if before else None, pictures)
         self._folder.put(self._keys[task], state)
+        self._recent.add(self._keys[task], state, state.nbytes)
         is_last = task == self.plan.last(task.frame)
         if is_last:
             self._bench.forget(task.frame)
@@ -121,7 +127,9 @@ class Walk:
         return True
 
     def _state(self, task):
-        return self._folder.get(self._keys[task])
+        key = self._keys[task]
+        state = self._recent.get(key) or self._folder.get(key)
+        return state and self._recent.add(key, state, state.nbytes)
 
     def _finish(self, frame, finished):
         state = self._state(self.plan.last(frame))

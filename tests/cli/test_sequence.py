@@ -193,6 +193,41 @@ def test_motion_that_is_missing_is_named(shot, capsys):
     assert "there is no file of such a name" in message
 
 
+def test_one_frame_needs_no_motion(shot):
+    folder = shot[0]
+    assert sequence(folder, "--motion", f"{folder}/none.%04d.flo", "--frames", 2) == 0
+    assert sequence(folder, "--frames", 2, "--output", f"{folder}/alone.%d.png") == 0
+    np.testing.assert_array_equal(written(folder, (2,))[0], read_image(folder / "alone.2.png"))
+
+
+def test_nothing_moves_to_another_thing(shot):
+    folder, size = shot[0], shot[3][0][0].shape[:2]
+    assert sequence(folder) == 0
+    alone = written(folder)
+    for frame in (1, 2, 3):
+        write_image(folder / f"ids.{frame}.png", np.full(size, 50 * frame, np.uint8))
+    assert sequence(folder, *motion(folder), "--ids", f"{folder}/ids.%d.png") == 0
+    np.testing.assert_array_equal(written(folder), alone)
+
+
+def test_motion_of_another_size_is_named_before_anything_runs(shot, capsys):
+    folder = shot[0]
+    for frame in (1, 2):
+        write_flo(folder / f"flow.{frame:04d}.flo", np.zeros((30, 20, 2), np.float32))
+    message = refused(capsys, sequence(folder, *motion(folder)))
+    for frame in (1, 2):
+        assert f"flow.{frame:04d}.flo: is 20x30 but the frames are 44x38" in message
+    assert not list(folder.glob("out*"))
+
+
+def test_depth_is_a_distance(shot, capsys):
+    folder = shot[0]
+    flags = "--depth", f"{folder}/target_1.%04d.png"
+    message = refused(capsys, sequence(folder, *motion(folder), *flags))
+    assert "target_1.0001.png: has 1 channels of uint8; depth is one channel of floating" in message
+    assert not list(folder.glob("out*"))
+
+
 def test_folders_may_have_the_number_and_layers_name_their_images(shot):
     folder = shot[0]
     assert sequence(folder) == 0

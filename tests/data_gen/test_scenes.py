@@ -82,3 +82,11 @@ def test_all_files_of_the_small_shots_are_there(scene):
 
 def test_the_small_shots_stay_small():
     assert sum(file.stat().st_size for file in SHOTS.rglob("*") if file.is_file()) < 300_000
+
+
+@pytest.mark.parametrize("exr", [False, True])
+def test_depth_is_named_where_it_is_kept(exr, tmp_path):
+    SCENES["house_5"][-1].make(tmp_path, None, exr)
+    content = json.loads((tmp_path / "views.json").read_text())
+    assert content["ids"] == "../../house/{view}/IDMASK.png"
+    assert content.get("depth") == ("../../house/{view}/passes.exr:DEPTH" if exr else None)

@@ -31,6 +31,7 @@ from data_gen.multilayer_exr import write_layers
 from data_gen.renderer import MissingRendererError, start
 from oracle.families import STYLIZATION
 from stylit_ref import Params, read_uint8
+from stylit_ref.cli import main
 from stylit_ref.cli.parser import EBSYNTH
 from stylit_ref.files.colour.bit_depth import to_linear
 from stylit_ref.metric.packing import ONE, make_packing
@@ -40,11 +41,18 @@ PAGES = [
     str(file.relative_to(ROOT)) for file in (ROOT / "README.md", *sorted(ROOT.glob("docs/**/*.md")))
 ]
 LANGUAGES = ("sh", "python")
-NO_COMMANDS = ("text", "{toctree}", "{eval-rst}")
+NO_COMMANDS = ("text", "json", "{toctree}", "{eval-rst}")
 RUN, DRY_RUN, RENDERS = "", "dry-run", "renders"
-NOT_RUN = ("not-run: installs packages", "not-run: needs a GPU", "not-run: writes the cases anew")
+NOT_RUN = (
+    "not-run: installs packages",
+    "not-run: needs a GPU",
+    "not-run: needs ffmpeg",
+    "not-run: writes the cases anew",
+)
 HELP = {
     "stylit-ref run": "stylit_ref.cli run",
+    "stylit-ref sequence": "stylit_ref.cli sequence",
+    "stylit-ref views": "stylit_ref.cli views",
     "stylit-ref texture": "stylit_ref.cli texture",
     "stylit-ref edit-texture": "stylit_ref.cli edit-texture",
     "stylit-ref replay-texture": "stylit_ref.cli replay-texture",
@@ -123,6 +131,42 @@ def passes_of_blender(scratch):
     imsave(scratch / "painted.png", small("source/styles/oil.png"), check_contrast=False)
 
 
+def shot_of_blender(scratch):
+    """Frames of a camera that pans faster and faster, with Blender's vectors."""
+    places = [0, 1, 3, 6, 10]
+    names = {"Combined": "FULL", "DiffDir": "LDE", "GlossDir": "LSE", "DiffInd": "LDDE"}
+    passes = {layer: to_linear(small(f"golem/{name}.png")) for layer, name in names.items()}
+    ids = np.round(small("golem/IDMASK.png") / 255 @ (1, 2, 4))
+    (scratch / "shot").mkdir()
+    for frame in (1, 2, 3):
+        x, y = places[frame], places[frame] // 2
+        channels = {}
+        for layer, still in passes.items():
+            image = np.roll(still, (y, x), axis=(0, 1))
+            channels |= {f"ViewLayer.{layer}.{c}": image[..., k] for k, c in enumerate("RGB")}
+        channels["ViewLayer.IndexOB.X"] = np.roll(ids, (y, x), axis=(0, 1))
+        channels["ViewLayer.Depth.Z"] = 10.0
+        for pair, (first, second) in (("XY", (frame - 1, frame)), ("ZW", (frame, frame + 1))):
+            channels[f"ViewLayer.Vector.{pair[0]}"] = places[first] - places[second]
+            channels[f"ViewLayer.Vector.{pair[1]}"] = places[second] // 2 - places[first] // 2
+        file = scratch / "shot" / f"scene.{frame:04d}.exr"
+        write_exr(file, channels, ids.shape, depth="float")
+
+
+def grid_of_house(scratch):
+    """The manifest that the page shows."""
+    page = (ROOT / "docs/how_to/sequences.md").read_text(encoding="utf-8")
+    (scratch / "grid.json").write_text(re.search(r"```json\n(.*?)```", page, re.DOTALL)[1])
+
+
+def rule_of_guides(scratch):
+    """What ``--nnf`` keeps of how guides are encoded."""
+    line = ["--preset", "fast", "--style", f"{scratch}/painted.png", "--quiet"]
+    line += ["--guide", f"{scratch}/sphere.exr", f"{scratch}/shot/scene.0001.exr"]
+    line += ["--guide-layers", "Combined,IndexOB", "--nnf", f"{scratch}/first.npy"]
+    assert main(["run", *line, "--output", f"{scratch}/first.png"]) == 0
+
+
 def rendered_passes(scratch):
     """Layers where ``make data`` puts them, and the files beside."""
     for scene in ("source", "teapot"):
@@ -159,13 +203,15 @@ def own_images(scratch):
 PREPARED = {
     "README.md": (own_images,),
     "docs/how_to/renderer_passes.md": (passes_of_blender, rendered_passes),
+    "docs/how_to/sequences.md": (passes_of_blender, shot_of_blender, grid_of_house),
+    "docs/how_to/render_farm.md": (passes_of_blender, shot_of_blender, rule_of_guides),
     "docs/how_to/from_ebsynth.md": (images_of_ebsynth,),
 }
 
 
 def here(page, code):
     """A page's code with this machine in the places of a cluster's."""
-    if page != "docs/how_to/cluster.md":
+    if page not in ("docs/how_to/cluster.md", "docs/how_to/render_farm.md"):
         return code
     return code.replace("--port 8786", f"--host 127.0.0.1 --port {PORT}").replace(
         "head:8786", f"127.0.0.1:{PORT}"

@@ -182,6 +182,42 @@ MISTAKES = {
         'a["nnf"] = frame.begin(None, p["levels"] - 1) if p["levels"] == 1 else frame.cold()',
         "warm_frame",
     ),
+    "a finish that keeps the first match": ("if found < best:", "if False:", "dense_nnf"),
+    "equal matches of a finish are taken": (
+        "                if found < best:",
+        "                if found <= best:",
+        "dense_nnf",
+    ),
+    "a finish that heeds no labels": (
+        "if other != match and not is_barred(other)",
+        "if True",
+        "dense_nnf",
+    ),
+    "a wrong first match that keeps its energy": (
+        "best = WORST if is_barred(match) else",
+        "best =",
+        "dense_nnf",
+    ),
+    "matches that stay where the entry's is": (
+        "(down + y - a * spacing, right + x - b * spacing), bounds",
+        "(down, right), bounds",
+        "dense_nnf",
+    ),
+    "a vote cut off": (
+        "(total + number // 2) // number\n    return picture",
+        "total // number\n    return picture",
+        "vote",
+    ),
+    "a vote that reads beyond the picture": (
+        "range(max(y - radius, 0), min(y + radius, height - 1) + 1)",
+        "range(max(y - radius + 1, 0), min(y + radius, height - 1) + 1)",
+        "vote",
+    ),
+    "a finish without a blend": (
+        '"target_style": picture}',
+        '"target_style": 0 * picture}',
+        "finish",
+    ),
     "a replay with the old style": (
         '"replayed": after.blended(nnf, 0)',
         '"replayed": Frame(p, a).blended(nnf, 0)',

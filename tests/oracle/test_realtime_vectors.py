@@ -49,7 +49,7 @@ def test_every_name_of_a_case_is_explained():
 
 
 def test_types_of_files_are_those_that_occur():
-    told = set(re.findall(r"`([|<]\w\d)`", SPEC.partition("## 10.")[2]))
+    told = set(re.findall(r"`([|<]\w\d)`", SPEC.partition("## 11.")[2]))
     files = folder_of(VERSION).rglob("*.npy")
     found = {np.lib.format.dtype_to_descr(np.load(file).dtype) for file in files}
     assert found == told

@@ -353,7 +353,10 @@ def bad_scene(**changes):
         ({"style": np.zeros((0, 46, 3), np.uint8)}, r"shape \(0, 46, 3\)"),
         ({"params": Params(guide_weights=(1.0,))}, "guide_weights holds 1 weights for 2 guides"),
         ({"params": "fast"}, r"params is 'fast'; write Params.preset\('fast'\)"),
-        ({"params": "slow"}, "preset is 'slow'; it must be 'final', 'fast' or 'thesis'"),
+        (
+            {"params": "slow"},
+            "preset is 'slow'; it must be 'final', 'fast', 'thesis' or 'architecture'",
+        ),
         ({"params": PRESETS["fast"]}, r"params is a dict; write Params.preset\('fast'\)"),
         ({"params": {}}, r"params is a dict; write Params.preset\('thesis'\)"),
         ({"params": {"levels": 3}}, r"params is a dict; write Params\(\*\*params\)"),
@@ -438,7 +441,8 @@ def test_a_preset_by_name(name):
 @pytest.mark.parametrize("name", ["quick", "", None, 3])
 def test_a_preset_that_is_not_there(name):
     with pytest.raises(
-        InputError, match=f"preset is {name!r}; it must be 'final', 'fast' or 'thesis'"
+        InputError,
+        match=f"preset is {name!r}; it must be 'final', 'fast', 'thesis' or 'architecture'",
     ):
         Params.preset(name)
 

@@ -8,6 +8,7 @@ import pytest
 
 from stylit_ref.views import passes
 from stylit_ref.views.formulae.fold import ONE, fixed_weight
+from stylit_ref.views.formulae.vectors import fixed, is_consistent
 
 
 def folded(own, guides, weights):
@@ -94,3 +95,9 @@ def test_hidden_pixels_keep_their_own_colour():
     guide = np.empty_like(own)
     passes.shift_picture(picture, places, own, guide)
     assert guide[0, :, 0].tolist() == [8, 2]
+
+
+@pytest.mark.parametrize("back", [1e30, np.inf, -np.inf])
+def test_a_vector_that_leads_far_away_confirms_nothing(back):
+    assert not is_consistent(fixed(1.0), fixed(-1.0), fixed(back), fixed(back))
+    assert is_consistent(fixed(1.0), fixed(-1.0), fixed(-1.0), fixed(1.5))

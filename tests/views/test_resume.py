@@ -138,7 +138,8 @@ def test_damaged_states_are_made_again(tmp_path, expected, order):
     assert run.results(tmp_path)[0] == expected[order]
 
 
-def test_a_state_that_is_lost_as_the_run_goes_on_is_made_again(tmp_path, expected):
+def test_a_state_that_is_lost_as_the_run_goes_on_is_made_again(tmp_path, expected, monkeypatch):
+    monkeypatch.setattr("stylit_ref.views.walk.ROOM", 0)
     lost = []
 
     def lose(step):
@@ -213,6 +214,16 @@ def test_a_full_disk_is_one_sentence(tmp_path, monkeypatch):
     with pytest.raises(InputError, match=r"the disk has 0.0 MiB free"):
         Run("parallel").results(tmp_path)
     assert not list(tmp_path.iterdir())
+
+
+def test_whoever_paints_over_a_result_does_not_change_the_next(expected):
+    run = Run("sequential")
+    results = stylize_views(
+        run.style, run.sources, run.guides, PARAMS, run.coherence, edges=run.edges, seed=3
+    )
+    for result in results:
+        assert result.image.tobytes() == expected["sequential"][result.frame][0]
+        result.image[:] = 0
 
 
 def test_a_run_can_be_cancelled(tmp_path):

@@ -1,5 +1,6 @@
 """The claims of the thesis, tested on our numbers; if styles disagree, most of them decide."""
 
+from eval.documents.heidrich.claims_of_ours import claims_of_ours
 from eval.documents.heidrich.claims_of_quality import claims_of_quality
 from eval.documents.heidrich.claims_of_time import claims_of_time
 from eval.documents.heidrich.outlook import TOLERATED
@@ -9,7 +10,7 @@ from eval.pages.claims import Claim, verdict
 
 
 def claims(plan, required):
-    """All claims: about time, about pictures, and of the outlook.
+    """All claims: about time, about pictures, of the outlook, and of our presets.
 
     Parameters
     ----------
@@ -29,6 +30,7 @@ def claims(plan, required):
         _all_met(required),
         _fewer_buffers(plan),
         _compromise(plan),
+        *claims_of_ours(plan),
     ]
 
 

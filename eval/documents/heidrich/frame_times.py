@@ -27,7 +27,7 @@ class FrameTimes:
         What is compared.
     methods : tuple of Realtime or Hybrid
     rounds : int
-        The history has the least of so many.
+        The history has the median of so many, methods in turns.
     """
 
     name: str
@@ -62,7 +62,7 @@ class FrameTimes:
             The history has a row for each method: ``method``, ``cpu`` in milliseconds on one
             thread, ``wall`` in milliseconds on all. The image is the last one's.
         """
-        least = pd.DataFrame({"method": [method.name for method in self.methods]})
+        times = pd.DataFrame({"method": [method.name for method in self.methods]})
         begun = time.perf_counter()
         for column, threads, clock in (
             ("cpu", 1, time.process_time), ("wall", available_threads(), time.perf_counter),
@@ -74,5 +74,5 @@ class FrameTimes:
                     before = clock()
                     image = maker.frame()
                     turn[number] = 1000 * (clock() - before)
-            least[column] = spent[1:].min(axis=0)  # the first turn compiles
-        return Outcome(image, time.perf_counter() - begun, history=least)
+            times[column] = np.median(spent[1:], axis=0)  # the first turn compiles
+        return Outcome(image, time.perf_counter() - begun, history=times)

@@ -1,9 +1,12 @@
 """The page of the report on the thesis: every table and figure of chapter 6, and the claims."""
 
 from functools import partial
+from pathlib import Path
 
 from eval.documents.heidrich import pictures, tables
 from eval.documents.heidrich.claims import claims
+from eval.documents.heidrich.hand_times import WAITED
+from eval.documents.heidrich.plan import ROUNDS_OF_A_HAND
 from eval.documents.heidrich.requirements import DEFINITION, requirements
 from eval.documents.heidrich.stage import GUIDES, STYLES
 from eval.metrics import definitions
@@ -40,6 +43,7 @@ def _sections(plan, report):
         *_large(plan, report),
         *_figures(plan, report),
         *_choices(plan, report),
+        Path(__file__).with_name("left_open.md").read_text("utf-8"),
         "## What the numbers are",
         definitions((*tables.SHOWN, "background")),
     ]
@@ -82,17 +86,22 @@ def _requirements(required, report):
 
 
 def _times(plan, report):
-    one, others = tables.table_1(plan), tables.others(plan)
+    one, hand, others = tables.table_1(plan), tables.hand_times(plan), tables.others(plan)
     ablation, widths, depths = tables.ablation(plan), tables.widths(plan), tables.depths(plan)
     return [
         "## Times",
         "### Table 1",
         report.table("table_1", one, one.astype(object).fillna("")),
         "A cold frame from the buffers in memory to a picture, packing included, rendering not: "
-        f"ours the least of {plan.preset.rounds}, methods in turns. One thread: time of its "
+        f"ours the median of {plan.preset.rounds}, methods in turns. One thread: time of its "
         "processor. All threads: wall time, and frames a second from it; beside other programs a "
         "session uses one thread alone. The thesis' are of a GTX 1080, and its rows with rendering "
         "are cited alone.",
+        "### What a hand waits for",
+        report.table("hand_times", hand, hand),
+        f"Medians of {ROUNDS_OF_A_HAND} on all threads, in turns, packing included where there is "
+        f"another target. {'; '.join(f'*{kind}*: {what}' for kind, what in WAITED.items())}.",
+        *_turning(plan, report),
         "### Others (4.2)",
         report.table("others", others, others),
         "Ours are seconds of the processor for a megapixel: of the dense methods at the rate of a "
@@ -106,6 +115,19 @@ def _times(plan, report):
         report.table("widths", widths, widths.astype(object)),
         report.table("depths", depths, depths.astype(object)),
         "With w the grid thins: entries lie (w + 1) / 2 pixels apart.",
+    ]
+
+
+def _turning(plan, report):
+    if plan.turning is None:
+        return []
+    table = tables.turning(plan)
+    return [
+        "### A target that turns",
+        report.table("turning", table, table),
+        "The golem turns by 1° from frame to frame. Flicker is the mean change of points that two "
+        "neighbouring frames show, in 8-bit steps. A picture that is never drawn anew flickers "
+        "least on still ground and no longer fits its target, so read flicker and energy together.",
     ]
 
 

@@ -7,6 +7,7 @@ from itertools import chain, combinations
 
 from eval.documents.heidrich.dense import Dense
 from eval.documents.heidrich.frame_times import FrameTimes
+from eval.documents.heidrich.hand_times import HandTimes
 from eval.documents.heidrich.outlook import FewestBuffers, Hybrid
 from eval.documents.heidrich.stage import STYLES
 from eval.methods.lit_sphere import LitSphere
@@ -30,12 +31,6 @@ RIVALS = {"Lit Sphere": LitSphere(), "StyleBlit": StyleBlit()}
 THESIS = "simple", "optimized"
 PRODUCTS = "quick", "best"
 METHODS = (*DENSE, *RIVALS, *THESIS, *PRODUCTS)
-
-WIDTHS = (3, 5, 7, 9, 11, 13)
-"""w of the simple method."""
-
-DEPTHS = (1, 2, 3, 4)
-"""D of the optimized one."""
 
 SIDES = (500, 1000)
 """Pixels along the pictures of table 1."""
@@ -78,13 +73,22 @@ class Preset:
         Styles of the ablation and of the sweeps.
     rounds : int
         In which frames are timed, in turns.
+    widths : tuple of int
+        w of the simple method.
+    depths : tuple of int
+        D of the optimized one.
     """
 
     studied: tuple[str, ...]
     rounds: int
+    widths: tuple[int, ...] = (3, 5, 7, 9, 11, 13)
+    depths: tuple[int, ...] = (1, 2, 3, 4)
 
 
-PRESETS = {"quick": Preset(("oil",), 7), "full": Preset(STYLES, 50)}
+PRESETS = {"quick": Preset(("oil",), 25), "full": Preset(STYLES, 50)}
+
+ROUNDS_OF_A_HAND = 50
+"""Turns in which a hand's waits are measured: few presets take part."""
 
 
 @dataclass(frozen=True)
@@ -102,6 +106,8 @@ class Plan:
     sides : tuple of int
     large : callable, optional
         The scene of a style at the thesis' size, if ``shown`` gives smaller ones.
+    turning : Job, optional
+        The run of the turning target, if it is rendered.
     """
 
     name: str
@@ -110,6 +116,7 @@ class Plan:
     timed: Callable[[int], Scene]
     sides: tuple[int, ...] = SIDES
     large: Callable[[str], Scene] | None = None
+    turning: Job | None = None
 
     @cached_property
     def _scene(self):
@@ -200,17 +207,21 @@ class Plan:
 
     def times_of_widths(self, side):
         """Times of the simple method as w grows."""
-        methods = [_realtime_method(f"{w}", "simple", patch_width=w) for w in WIDTHS]
+        methods = [_realtime_method(f"{w}", "simple", patch_width=w) for w in self.preset.widths]
         return self._times(side, "w", methods)
 
     def times_of_depths(self, side):
         """Times of the optimized method as D grows."""
-        methods = [_realtime_method(f"{d}", "optimized", depth=d) for d in DEPTHS]
+        methods = [_realtime_method(f"{d}", "optimized", depth=d) for d in self.preset.depths]
         return self._times(side, "D", methods)
 
     def times_of_few(self, side):
         """Times of what the outlook asks for."""
         return self._times(side, "hybrid", [_realtime_method("optimized", "optimized"), Hybrid()])
+
+    def hand_times(self, side):
+        """What a hand waits for."""
+        return Job(self._timed(side), HandTimes(PRODUCTS, ROUNDS_OF_A_HAND))
 
     def _times(self, side, name, methods):
         return Job(self._timed(side), FrameTimes(name, tuple(methods), self.preset.rounds))
@@ -221,8 +232,8 @@ class Plan:
         jobs = []
         for style in self.preset.studied:
             jobs += [self.left_out(style, savings) for savings in LEFT_OUT]
-            jobs += [self.width(style, width) for width in WIDTHS]
-            jobs += [self.depth(style, depth) for depth in DEPTHS] + [self.boxes(style)]
+            jobs += [self.width(style, width) for width in self.preset.widths]
+            jobs += [self.depth(style, depth) for depth in self.preset.depths] + [self.boxes(style)]
             jobs += [self.weighted(style, method, w) for method in THESIS for w in BUFFERS]
             jobs += [self.scheduled(style, schedule) for schedule in SCHEDULES]
             jobs += [self.iterated(style, iterations) for iterations in ITERATIONS]
@@ -238,7 +249,7 @@ class Plan:
             for side in self.sides
             for make in (
                 self.times, self.times_of_savings, self.times_of_widths, self.times_of_depths,
-                self.times_of_few,
+                self.times_of_few, self.hand_times,
             )
         ]  # fmt: skip
         sheet = [self.picture(style, name) for style in STYLES for name in METHODS]
@@ -251,6 +262,8 @@ class Plan:
                 for style in STYLES
                 for name in THESIS + PRODUCTS
             ]
+        if self.turning is not None:
+            tasks.append(Task(self.turning, ()))
         return [*tasks, *pictures.values()]
 
 

@@ -4,7 +4,8 @@ from functools import partial
 
 from eval.documents.heidrich import stage
 from eval.documents.heidrich.page import document
-from eval.documents.heidrich.plan import PRESETS, SIDES, Plan
+from eval.documents.heidrich.plan import PRESETS, PRODUCTS, SIDES, Plan
+from eval.documents.heidrich.turning import turning
 from eval.pages.document import make_document
 from eval.pages.options import add_output, folder_of
 
@@ -27,5 +28,8 @@ def main(options):
     else:
         shown, timed = stage.bundled, stage.for_times
         large = partial(stage.rendered, side=SIDES[0]) if stage.is_rendered(SIDES[0]) else None
-    plan = Plan(options.preset, PRESETS[options.preset], shown, timed, large=large)
+    turn = None
+    if stage.is_rendered(SIDES[0], "turning/00"):
+        turn = turning(stage.RENDERED / f"{SIDES[0]}x{SIDES[0]}", "oil", PRODUCTS)
+    plan = Plan(options.preset, PRESETS[options.preset], shown, timed, large=large, turning=turn)
     return make_document(document(plan), folder_of(options, f"heidrich_{plan.name}"))

@@ -24,7 +24,7 @@ TARGET = "golem"
 
 def bundled(style):
     """The bundled scene in a style."""
-    return _stage(style, BUNDLED)
+    return of_stage(TARGET, style, BUNDLED)
 
 
 def rendered(style, side, name=TARGET):
@@ -41,7 +41,7 @@ def rendered(style, side, name=TARGET):
             produce(folder, (side, side), (name,), exr=False)
         except (DataError, MissingRendererError) as error:
             raise InputError(str(error)) from None
-    return _stage(style, folder)
+    return of_stage(name, style, folder)
 
 
 def is_rendered(side, name=TARGET):
@@ -59,7 +59,7 @@ def for_times(side):
     but a frame of it has as many pixels, entries and candidates.
     """
     if is_rendered(side):
-        return _stage("oil", RENDERED / f"{side}x{side}")
+        return of_stage(TARGET, "oil", RENDERED / f"{side}x{side}")
     return enlarged(bundled("oil"), side)
 
 
@@ -81,9 +81,10 @@ def enlarged(scene, side):
     )
 
 
-def _stage(style, data):
+def of_stage(target, style, data):
+    """A target of a data set in a style, with all buffers."""
     names = tuple(dict.fromkeys((*STAGE_BUFFERS, *OF_RIVALS)))
-    scene = load_scene(f"{TARGET}/{style}", data, buffers=names)
+    scene = load_scene(f"{target}/{style}", data, buffers=names)
     pairs = [scene.buffers[name] for name in GUIDES]
     sources, targets = zip(*pairs, strict=True)
     return replace(scene, guide_names=GUIDES, source_guides=sources, target_guides=targets)

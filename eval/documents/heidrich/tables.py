@@ -6,7 +6,6 @@ import pandas as pd
 from eval.documents.heidrich.plan import (
     BUFFERS,
     DENSE,
-    DEPTHS,
     ITERATIONS,
     LEFT_OUT,
     METHODS,
@@ -14,7 +13,6 @@ from eval.documents.heidrich.plan import (
     SCHEDULES,
     STYLES,
     THESIS,
-    WIDTHS,
 )
 from eval.documents.heidrich.printed import OTHERS, TABLE_1
 from eval.metrics import NUMBERS
@@ -67,6 +65,37 @@ def table_1(plan):
                     row["ours [fps]"] = 1000 / ours.loc[method, "wall"]
                 rows.append(row)
     return pd.DataFrame(rows).round(2)
+
+
+def hand_times(plan):
+    """What a hand waits for, with our presets on all threads.
+
+    Returns
+    -------
+    pandas.DataFrame
+        ``preset``, ``waited for``, and the median and the least milliseconds by side.
+    """
+    columns = {}
+    for side in plan.sides:
+        history = stored(plan.hand_times(side)).history
+        columns["preset"], columns["waited for"] = history["preset"], history["waited_for"]
+        columns[f"{side}², median [ms]"] = history["median"].round(1)
+        columns[f"{side}², least [ms]"] = history["least"].round(1)
+    return pd.DataFrame(columns)
+
+
+def turning(plan):
+    """How calm the turning target is, by preset and by how its frames are made.
+
+    Returns
+    -------
+    pandas.DataFrame
+        ``preset``, ``frames``, ``flicker`` in 8-bit steps, and the last frame's energy over that of
+        a cold one.
+    """
+    history = stored(plan.turning).history.drop(columns="holds")
+    history = history.rename(columns={"rise": "energy, over cold"})
+    return history.round({"flicker": 2, "energy, over cold": 3})
 
 
 def others(plan):
@@ -168,12 +197,12 @@ def ablation(plan):
 
 def widths(plan):
     """The simple method as w grows."""
-    return _sweep(plan, "w", WIDTHS, plan.times_of_widths, plan.width)
+    return _sweep(plan, "w", plan.preset.widths, plan.times_of_widths, plan.width)
 
 
 def depths(plan):
     """The optimized method as D grows."""
-    return _sweep(plan, "D", DEPTHS, plan.times_of_depths, plan.depth)
+    return _sweep(plan, "D", plan.preset.depths, plan.times_of_depths, plan.depth)
 
 
 def _sweep(plan, name, values, times_at, job_of):

@@ -1,5 +1,6 @@
 """Names of numbered files: ``shot/LDE.%04d.exr`` stands for a file of every frame."""
 
+import os
 import re
 from glob import escape, glob
 from pathlib import PurePath
@@ -75,7 +76,7 @@ def _taken_apart(text, kind):
 
 
 def _frames_on_disk(text):
-    pattern = FramePattern(text)
+    pattern = FramePattern(text.replace("/", os.sep))  # as glob answers
     number = re.compile(r"(-?\d+)".join(map(re.escape, pattern._names)))
     frames = set()
     for path in glob("*".join(map(escape, pattern._names))):

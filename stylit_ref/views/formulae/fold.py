@@ -15,9 +15,9 @@ StyLit's retrieval does.
 λ_c are multiples of 1/256 and sums are integers, so that M is exact but for its rounding to 8 bits.
 """
 
-import numpy as np
+import math
 
-from stylit_ref.machine.inlined import inlined
+from numba import njit
 
 ONE = 256
 """The weight of B' itself: λ_c are held in units of 1/256."""
@@ -25,16 +25,16 @@ ONE = 256
 
 def fixed_weight(weight: float) -> int:
     """λ_c in units of 1/256, rounded half up."""
-    return int(np.floor(weight * ONE + 0.5))
+    return math.floor(weight * ONE + 0.5)
 
 
-@inlined
+@njit
 def folded(total: int, weights: int) -> int:
     """M, rounded half up: ``total`` is ONE B' + Σ λ_c G_c and ``weights`` ONE + Σ λ_c."""
     return (2 * total + weights) // (2 * weights)
 
 
-@inlined
+@njit
 def spread(deviation: int, weights: int, channels: int) -> int:
     """√S, with S the mean over the channels of a pixel, rounded half up.
 
@@ -53,4 +53,4 @@ def spread(deviation: int, weights: int, channels: int) -> int:
         At most 128, since the values lie between 0 and 255. One division and one square root in
         IEEE arithmetic, which all processors round alike.
     """
-    return int(np.sqrt(deviation / (channels * weights * weights)) + 0.5)
+    return int(math.sqrt(deviation / (channels * weights * weights)) + 0.5)

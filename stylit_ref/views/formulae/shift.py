@@ -5,12 +5,12 @@ x to the right and y downwards, and leads to the same point in the frame that th
 *from*. So every pixel finds one source, and none is left without or hit twice.
 """
 
-import numpy as np
+import math
 
-from stylit_ref.machine.inlined import inlined
+from numba import njit
 
 
-@inlined
+@njit
 def shifted(place: int, motion: float, depth: int) -> int:
     """A coordinate in the other frame: ``place + motion / 2^depth``, rounded half up.
 
@@ -23,10 +23,10 @@ def shifted(place: int, motion: float, depth: int) -> int:
     depth : int
         How many levels are finer.
     """
-    return int(np.floor(place + motion / (1 << depth) + 0.5))
+    return int(math.floor(place + motion / (1 << depth) + 0.5))  # noqa: RUF046, a float on a GPU
 
 
-@inlined
+@njit
 def representative(place: int, depth: int) -> int:
     """The pixel of the finest level whose motion a pixel of a level takes.
 

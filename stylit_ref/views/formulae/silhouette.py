@@ -5,8 +5,7 @@ is told from a step in depth.
 """
 
 import numpy as np
-
-from stylit_ref.machine.inlined import inlined
+from numba import njit
 
 STEP = 1.05
 """What lies nearer by less than a twentieth moves alike, but for a twentieth."""
@@ -20,13 +19,13 @@ def reach_of(height: int, width: int) -> int:
     return max(1, (2 * REACH * max(height, width) + REACH_SIDE) // (2 * REACH_SIDE))
 
 
-@inlined
+@njit
 def is_nearer(inverse: float, other: float) -> bool:
     """Whether a pixel lies in front of another one, by their inverse depths."""
     return inverse > STEP * other
 
 
-@inlined
+@njit
 def is_step(before: float, near: float, far: float, behind: float) -> bool:
     """Whether depth steps back between two neighbours, rather than receding on one plane.
 

@@ -46,9 +46,11 @@ def take_nearer(
     reach: int,
     places: NDArray[np.int32],
 ) -> None:
-    """Find the rim that each pixel lies beside: the closest that is nearer.
+    """Find the rim that each pixel lies beside, the closest that is nearer, and look past it.
 
-    Of several as close the nearest counts, then the first, row by row.
+    Of several as close the nearest counts, then the first, row by row. Vectors of a rim may be
+    blended with those of what lies behind, by the filter of pixels. So the pixel behind it counts,
+    seen from outside, unless the thing has ended there.
 
     Parameters
     ----------
@@ -59,7 +61,7 @@ def take_nearer(
     reach : int
         In pixels.
     places : (H, W, 2) int32
-        Written: (y, x) of the rim, or of the pixel itself.
+        Written: (y, x) of the pixel past the rim, or of the pixel itself.
     """
     height, width = inverse.shape
     for y in prange(height):
@@ -77,3 +79,10 @@ def take_nearer(
                         if wins and is_nearer(there, inverse[y, x]):
                             closest, nearest = away, there
                             places[y, x, 0], places[y, x, 1] = row, column
+            if closest <= reach * reach:
+                rim_y, rim_x = places[y, x, 0], places[y, x, 1]
+                row = rim_y + (rim_y > y) - (rim_y < y)
+                column = rim_x + (rim_x > x) - (rim_x < x)
+                is_inside = 0 <= row < height and 0 <= column < width
+                if is_inside and not is_nearer(inverse[rim_y, rim_x], inverse[row, column]):
+                    places[y, x, 0], places[y, x, 1] = row, column

@@ -7,17 +7,22 @@ from functools import cache
 import numpy as np
 import pandas as pd
 import pytest
+from skimage.io import imsave
 
 import eval.documents.heidrich.report as report_module
 import eval.runs.local
+from data_gen.manifest import Manifest
+from data_gen.multilayer_exr import write_layers
 from eval.__main__ import main
 from eval.documents.heidrich import stage
 from eval.documents.heidrich.places import densest
 from eval.documents.heidrich.plan import LEFT_OUT, METHODS, STYLES, Plan, Preset
 from eval.documents.heidrich.printed import TABLE_1, milliseconds
 from eval.documents.heidrich.reach import reach
+from eval.documents.heidrich.turning import turning
 from eval.methods.realtime import of_every_pixel
 from eval.pages.claims import HELD, NOT_HELD, OPEN
+from eval.scenes import LIGHT_PASSES
 from stylit_ref import InputError
 
 
@@ -27,12 +32,15 @@ def small(style):
     return stage.enlarged(stage.bundled(style), 80)
 
 
-def tiny_plan(name, preset, shown, timed, large):
+def tiny_plan(name, preset, shown, timed, large, turning):
     """The plan on small pictures; frames are timed on a hundredth of their pixels."""
     return Plan(
-        name, Preset(("oil",), 1), small, lambda side: stage.enlarged(small("oil"), side // 10),
+        name,
+        Preset(("oil",), 1, widths=(3, 5), depths=(2, 3)),  # others take long to compile
+        small,
+        lambda side: stage.enlarged(small("oil"), side // 10),
         large=lambda style: stage.enlarged(small(style), 120),
-    )  # fmt: skip
+    )
 
 
 @pytest.fixture(scope="module")
@@ -141,3 +149,51 @@ def test_a_size_that_cannot_be_rendered_is_one_sentence(tmp_path, monkeypatch):
     (tmp_path / "build/data/48x48/notes.txt").write_text("mine")
     with pytest.raises(InputError, match="holds files but no manifest"):
         stage.rendered("oil", 48)
+
+
+@pytest.fixture
+def turning_data(tmp_path):
+    """A data set of which the target "turns" by moving 6 pixels to the right, twice."""
+    manifest = Manifest(tmp_path, {}, {})
+    golem = small("oil")
+
+    def save(piece, side, moved=0):
+        folder = tmp_path / piece
+        folder.mkdir(parents=True)
+        for name in {*LIGHT_PASSES, *golem.buffers}:
+            image = golem.buffers.get(name, golem.buffers["FULL"])[side]
+            image = np.roll(image, moved, axis=1).squeeze()
+            imsave(folder / f"{name}.png", image, check_contrast=False)
+        return folder
+
+    (save("source", 0) / "styles").mkdir()
+    imsave(tmp_path / "source" / "styles" / "oil.png", golem.style, check_contrast=False)
+    motion = np.zeros((80, 80, 2), np.float32)
+    motion[..., 0] = 6
+    visible = np.zeros((80, 80, 1), np.float32)
+    visible[:, :-6] = 1
+    (tmp_path / "turning" / "motion").mkdir(parents=True)
+    for frame in range(3):
+        save(f"turning/{frame:02}", 1, 6 * frame)
+        layers = {"MOTION": motion, "VISIBLE": visible}
+        write_layers(tmp_path / "turning" / "motion" / f"{frame:02}_to_{frame + 1:02}.exr", layers)
+    for piece in ("source", "turning/00", "turning/01", "turning/02", "turning/motion"):
+        manifest.add(piece)
+    return tmp_path
+
+
+def test_a_turning_target_is_stylized_warm_and_cold(turning_data):
+    job = turning(turning_data, "oil", ("quick",))
+    history = job.method.run(job.scene, 0).history.set_index("frames")
+    assert list(history.index) == ["cold", "warm", "the first, kept"]
+    assert history.loc["cold", "rise"] == 1
+    assert history.loc["the first, kept", "rise"] > history.loc["warm", "rise"]
+    assert history.loc["cold", "flicker"] > 0
+
+
+def test_a_turning_target_is_another_run_with_other_motion(turning_data):
+    before = turning(turning_data, "oil", ("quick",)).key
+    manifest = Manifest.read(turning_data)
+    manifest.pieces["turning/motion"]["turning/motion/00_to_01.exr"] = "0" * 64
+    manifest.save()
+    assert turning(turning_data, "oil", ("quick",)).key != before

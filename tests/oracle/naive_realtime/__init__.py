@@ -3,6 +3,6 @@
 A file for each section, one pixel at a time. As a module it has ``run_case``.
 """
 
-from .spec_10_cases import run_case
+from .spec_11_cases import run_case
 
 __all__ = ["run_case"]

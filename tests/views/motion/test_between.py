@@ -14,6 +14,7 @@ from views.motion.moving_square import (
 )
 
 from stylit_ref import InputError
+from stylit_ref.machine.thread_count import using_threads
 from stylit_ref.views.frames import Motion
 from stylit_ref.views.motion.between import motion_between
 from stylit_ref.views.motion.composition import composed
@@ -210,3 +211,14 @@ def test_a_note_says_that_silhouettes_are_not_known(caplog):
     assert [record.getMessage()[:38] for record in caplog.records] == [
         "neither depth nor IDs of the frames ar"
     ]
+
+
+def test_any_number_of_threads_gives_the_same_bytes():
+    def found():
+        return motion_between(3, 0, forward_only, depth_of=depth_of, labels_of=labels_of)
+
+    with using_threads(1):
+        one = found()
+    several = found()
+    assert one.field.tobytes() == several.field.tobytes()
+    assert one.visible.tobytes() == several.visible.tobytes()

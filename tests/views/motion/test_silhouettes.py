@@ -52,7 +52,13 @@ def test_rims_and_what_lies_beside_them_are_those_of_the_brute_force_twin():
             if inverse[row, column] > STEP * inverse[y, x]
         ]
         near = [each for each in near if each[0] <= reach**2]
-        expected = min(near)[2:] if near else (y, x)
+        expected = (y, x)
+        if near:
+            rim = expected = min(near)[2:]
+            past = tuple(int(r + np.sign(r - p)) for r, p in zip(rim, (y, x), strict=True))
+            inside = 0 <= past[0] < size[0] and 0 <= past[1] < size[1]
+            if inside and inverse[rim] <= STEP * inverse[past]:
+                expected = past
         assert tuple(places[y, x]) == expected
     assert (places != np.stack(np.mgrid[: size[0], : size[1]], axis=-1)).any()
 

@@ -1,0 +1,100 @@
+"""What a hand waits for: a new view, a stroke in the style, a camera that moves."""
+
+import time
+from dataclasses import dataclass
+
+import numpy as np
+import pandas as pd
+
+from eval.device import processor
+from eval.methods.realtime import Frames
+from eval.outcome import Outcome
+from stylit_ref.machine.code_digest import code_digest
+from stylit_ref.machine.forks import available_threads
+from stylit_ref.realtime.params import RealtimeParams
+
+_CODE = code_digest(__file__, without=("gpu_cuda",))
+
+WAITED = {
+    "cold": "another target, from nothing",
+    "stroke": "another style, its pyramid included; coarse levels are kept",
+    "warm": "a target that has moved a little, from the last frame's NNF",
+}
+"""What is waited for, in the order of a turn."""
+
+
+@dataclass(frozen=True)
+class HandTimes:
+    """Frames on all threads, from the caller's buffers to a picture, kernels compiled.
+
+    Presets and what is waited for take turns, so that what else the machine does falls on all.
+
+    Attributes
+    ----------
+    presets : tuple of str
+    rounds : int
+        The history has the median of so many, and the least.
+    """
+
+    presets: tuple[str, ...]
+    rounds: int
+
+    name = "hand"
+    cost = 5.0
+
+    @property
+    def code(self):
+        """Digest of the algorithm."""
+        return _CODE
+
+    @property
+    def device(self):
+        """Name of the processor."""
+        return processor()
+
+    def run(self, scene, seed, progress=None):
+        """Make the frames.
+
+        Parameters
+        ----------
+        scene : Scene
+        seed : int
+        progress : callable, optional
+            Not called.
+
+        Returns
+        -------
+        Outcome
+            The history has a row for each preset and each of :data:`WAITED`: ``preset``,
+            ``waited_for``, ``median`` and ``least`` in milliseconds. The image is the last one's.
+        """
+        makers = {
+            preset: Frames(scene, RealtimeParams.preset(preset), (), seed, available_threads())
+            for preset in self.presets
+        }
+        begun = time.perf_counter()
+        turns = []
+        for _ in range(self.rounds + 1):
+            turn = {}
+            for preset, frames in makers.items():
+                for kind in WAITED:
+                    before = time.perf_counter()
+                    image = _frame(frames, scene.style, kind)
+                    turn[preset, kind] = 1000 * (time.perf_counter() - before)
+            turns.append(turn)
+        spent = pd.DataFrame(turns[1:])  # the first turn compiles
+        rows = [
+            {"preset": preset, "waited_for": kind, "median": times.median(), "least": times.min()}
+            for (preset, kind), times in spent.items()
+        ]
+        return Outcome(image, time.perf_counter() - begun, history=pd.DataFrame(rows))
+
+
+def _frame(frames, style, kind) -> np.ndarray:
+    if kind == "stroke":
+        frames.session.set_style(style)
+        return frames.session.frame()
+    if kind == "cold":
+        return frames.frame()
+    frames.take()
+    return frames.session.frame(warm=True)
