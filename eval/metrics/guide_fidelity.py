@@ -8,8 +8,9 @@ from eval.number import Number
 NUMBERS = {"guide_error": Number("error of guides", "{:.2f}")}
 
 DEFINITION = """\
-- **error of guides**: mean absolute difference between the guides of a target pixel and those of the source
-  pixel that it was taken from, in 8-bit steps, over channels and frames; lower is better."""
+- **error of guides**: mean absolute difference between the guides of a target pixel and those of
+  the source pixel that it was taken from, in 8-bit steps, over channels and frames; lower is
+  better."""
 
 
 def measure(scene, outcome):
