@@ -18,11 +18,13 @@ SMALL = ("one_pixel", (1, 1)), ("one_row", (1, 9)), ("one_column", (10, 1))
 
 LANDINGS = {
     "splat": (
-        "plain", "one_pixel", "equal_depths", "no_depth", "ties", "crowded", "depth_is_no_number",
+        "plain", "one_pixel", "equal_depths", "no_depth", "ties", "crowded", "nothing_there",
         "not_numbers",
     ),
-    "invert": ("plain", "one_row", "no_depth", "ties", "cracks", "uncovered", "crossing"),
-    "unhidden": ("plain", "one_pixel", "no_depth", "crowded"),
+    "invert": (
+        "plain", "one_row", "no_depth", "ties", "nothing_there", "cracks", "uncovered", "crossing",
+    ),
+    "unhidden": ("plain", "one_pixel", "no_depth", "nothing_there", "crowded"),
 }  # fmt: skip
 """What lands in the cases of each stage."""
 
@@ -130,8 +132,8 @@ def _landings(rng):
     middle = np.stack(np.mgrid[: SIZE[0], : SIZE[1]][::-1], axis=-1)
     crowd["field"] += (4, 3) - middle + rng.choice([-0.25, 0.25], (*SIZE, 1))
     yield "crowded", crowd | {"depth": of_few(rng, [1, 2])}
-    unknown = of_few(rng, [np.nan, 1, 2, np.inf, -np.inf])
-    yield "depth_is_no_number", motion(rng) | {"depth": unknown}
+    nothing = of_few(rng, [np.nan, 0, -1, 1e9, np.inf, -np.inf, 9.9e8, 1, 2])
+    yield "nothing_there", motion(rng) | {"depth": nothing}
     yield "not_numbers", motion(rng, awkward=NOT_NUMBERS)
     yield "cracks", coming_nearer((8, 12)) | {"depth": of_few(rng, [1], (8, 12))}
     passing = uniform(SIZE, 0.0)

@@ -92,9 +92,9 @@ MISTAKES = {
         "return self.depth[pixel] > self.depth[before]",
         "splat",
     ),
-    "a depth that is no number is beaten": (
-        "return self.depth[pixel] < self.depth[before]",
-        "return not self.depth[pixel] >= self.depth[before]",
+    "nothing is nearest": (
+        "if 0 < depth[pixel] < 1e9:",
+        "if depth[pixel] < 1e9:",
         "splat",
     ),
     "vectors that differ by a pixel": (
@@ -130,8 +130,8 @@ MISTAKES = {
         "unhidden",
     ),
     "steps of depth, not of its inverse": (
-        "inverse[pixel] = 1 / value",
-        "inverse[pixel] = -value",
+        "return 1 / depth_of_things(depth)",
+        "return -depth_of_things(depth)",
         "rims",
     ),
     "a floor that recedes is a step": (
@@ -144,7 +144,11 @@ MISTAKES = {
         "value >= 1.049 * other",
         "rims",
     ),
-    "something is where nothing is": ("if 0 < value < 1e9:", "if 0 < value:", "rims"),
+    "something is very far away": (
+        "if 0 < depth[pixel] < 1e9:",
+        "if 0 < depth[pixel] < np.inf:",
+        "rims",
+    ),
     "rims within a square": (
         "distance = (rim[0] - y) ** 2 + (rim[1] - x) ** 2",
         "distance = max(abs(rim[0] - y), abs(rim[1] - x)) ** 2",

@@ -145,6 +145,18 @@ def test_inverse_is_that_of_the_brute_force_twin(with_depth):
     assert np.array_equal(found.field[twin.visible], twin.field[twin.visible])
 
 
+@pytest.mark.parametrize("way", [(2, 0), (0, 2), (-2, 0), (0, -2)])
+@pytest.mark.parametrize("nothing", [0, -1, np.nan, 1e9])
+def test_nothing_lies_behind_a_thing_that_lands_on_it(nothing, way):
+    """A thing of one pixel moves, to a pixel before or after it."""
+    field, depth = np.zeros((5, 5, 2), np.float32), np.full((5, 5), nothing, np.float32)
+    field[2, 2], depth[2, 2] = way, 5
+    moved, place = Motion(field, np.ones((5, 5), bool)), (2 + way[1], 2 + way[0])
+    assert inverted(moved, depth).field[place].tolist() == [-way[0], -way[1]]
+    shown = unhidden(moved, depth)
+    assert (shown[2, 2], shown[place]) == (True, False)
+
+
 def zooming(size, factor):
     """The motion of a surface that comes nearer."""
     y, x = np.mgrid[: size[0], : size[1]]
