@@ -193,22 +193,23 @@ def _edges():
     told, untold = {"tells_visible": True}, {"tells_visible": False}
     ahead, back = {"to": 0, "other": 1}, {"to": 1, "other": 0}
     two, three = crossing_square(2), crossing_square(3)
-    both = "forward_0", "backward_1", "shown"
-    over = "forward_0", "backward_1", "backward_2", "shown", "depth_0", "depth_2"
+    forward, backward = ("forward_0", "forward_shown_0"), ("backward_1", "backward_shown_1")
+    both = "forward", "backward"
+    over = *forward, *backward, "backward_2", "backward_shown_2", "depth_0", "depth_2"
     for name, parameters, arrays in (
-        ("forward", ahead | untold, only(two, "forward_0", "shown_0")),
-        ("backward", ahead | untold, only(two, "backward_1", "shown_1")),
+        ("forward", ahead | untold, only(two, *forward)),
+        ("backward", ahead | untold, only(two, *backward)),
         ("both", ahead | untold, only(two, *both)),
         ("told", ahead | told, only(two, *both)),
-        ("with_labels", ahead | told, only(two, "forward_0", "shown_0", "labels")),
-        ("with_depth", back | untold, only(two, "forward_0", "shown_0", "depth")),
-        ("mixed", ahead | untold, only(two, "backward_1", "shown_1", "depth_0", "labels_1")),
-        ("one_end", ahead | untold, only(two, "forward_0", "shown_0", "depth_0")),
+        ("with_labels", ahead | told, only(two, *forward, "labels")),
+        ("with_depth", back | untold, only(two, *forward, "depth")),
+        ("mixed", ahead | untold, only(two, *backward, "depth_0", "labels_1")),
+        ("one_end", ahead | untold, only(two, *forward, "depth_0")),
         ("over_three", {"to": 0, "other": 2} | untold, only(three, *over)),
         (
             "back_over_three",
             {"to": 2, "other": 0} | untold,
-            only(three, "forward_0", "forward_1", "shown"),
+            only(three, *forward, "forward_1", "forward_shown_1"),
         ),
     ):
         yield "motion", name, parameters, arrays

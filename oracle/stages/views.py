@@ -104,11 +104,12 @@ def _along(_, parameters, arrays):
 
 def _between(_, parameters, arrays):
     def motion_of(frame):
-        if f"shown_{frame}" not in arrays:
-            return None
-        shown = arrays[f"shown_{frame}"]
-        fields = [arrays.get(f"{way}_{frame}") for way in ("forward", "backward")]
-        both = [None if field is None else Motion(field, shown) for field in fields]
+        both = [
+            Motion(arrays[f"{way}_{frame}"], arrays[f"{way}_shown_{frame}"])
+            if f"{way}_{frame}" in arrays
+            else None
+            for way in ("forward", "backward")
+        ]
         return FrameMotion(*both, tells_visible=parameters["tells_visible"])
 
     motion = motion_between(

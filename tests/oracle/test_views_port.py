@@ -195,6 +195,11 @@ MISTAKES = {
         "along",
     ),
     "what the file tells is not heeded": ("elif files.tells_visible:", "elif False:", "motion"),
+    "one visibility for both directions": (
+        'self.known(f"{way}_shown", frame)',
+        'self.a.get(f"forward_shown_{frame}", self.known(f"{way}_shown", frame))',
+        "motion",
+    ),
     "depth of the wrong frame": (
         'inverted(back, files.known("depth", neighbour))',
         'inverted(back, files.known("depth", frame))',

@@ -20,8 +20,9 @@ class Files:
 
     def motion(self, frame, other):
         """Give the motion that the file of a frame holds towards a neighbour, or None."""
-        field = self.known("forward" if other > frame else "backward", frame)
-        return None if field is None else Motion(field, self.known("shown", frame))
+        way = "forward" if other > frame else "backward"
+        field = self.known(way, frame)
+        return None if field is None else Motion(field, self.known(f"{way}_shown", frame))
 
     def inverse(self, frame):
         """Give the inverse depths of a frame, or None."""
