@@ -166,7 +166,6 @@ def _silhouettes(rng):
     for name, arrays, ends in (
         ("plain", motion(rng), ("depth_0", "depth_1")),
         ("labels", motion(rng), ("labels_0", "labels_1")),
-        ("mixed", motion(rng, longest=1.0), ("labels_0", "depth_1")),
         ("hidden", motion(rng, shown=0.1), ("depth_0", "depth_1")),
         ("one_pixel", uniform((1, 1), 0.0), ("depth_0", "depth_1")),
     ):
@@ -203,6 +202,11 @@ def _edges():
         ("told", ahead | told, only(two, *both)),
         ("with_labels", ahead | told, only(two, *forward, "labels")),
         ("with_depth", back | untold, only(two, *forward, "depth")),
+        (
+            "with_labels_and_one_depth",
+            ahead | untold,
+            only(two, *forward, "labels", "depth_0"),
+        ),
         ("mixed", ahead | untold, only(two, *backward, "depth_0", "labels_1")),
         ("one_end", ahead | untold, only(two, *forward, "depth_0")),
         ("over_three", {"to": 0, "other": 2} | untold, only(three, *over)),

@@ -211,8 +211,13 @@ MISTAKES = {
         "motion",
     ),
     "silhouettes of one end": (
-        "return whole if here is None or there is None else",
-        "there = here if there is None else there\n    return whole if here is None else",
+        "None if any(each is None for each in found) else found",
+        "next(([each] * 2 for each in found if each is not None), None)",
+        "motion",
+    ),
+    "labels beside the depth of one frame": (
+        "if labels is not None:\n        return along",
+        'if labels is not None and files.known("depth", to) is None:\n        return along',
         "motion",
     ),
     "means cut off": (

@@ -215,13 +215,30 @@ def test_unhidden_hides_both_without_depth():
     assert GROUND != SQUARE
 
 
+def test_depth_of_one_frame_is_not_compared_with_ids_of_the_other():
+    thing = {frame: np.where(labels_of(frame) == 2, np.uint32(2), np.uint32(0)) for frame in (0, 1)}
+
+    def along(depths, labels):
+        return motion_between(0, 1, both, depth_of=depths.get, labels_of=labels.get)
+
+    by_ids, without = along({}, thing), motion_between(0, 1, both)
+    assert (by_ids.field != without.field).any()
+    for depths in ({0: depth_of(0)}, {1: depth_of(1)}):
+        found = along(depths, thing)
+        assert np.array_equal(found.field, by_ids.field)
+        assert np.array_equal(found.visible, by_ids.visible)
+        alone = along(depths, {1 - frame: thing[1 - frame] for frame in depths})
+        assert np.array_equal(alone.field, without.field)
+        assert np.array_equal(alone.visible, without.visible)
+
+
 def test_a_note_says_that_silhouettes_are_not_known(caplog):
     with caplog.at_level("INFO", "stylit_ref"):
         motion_between(0, 1, both)
         motion_between(1, 2, both)
         motion_between(0, 1, both, depth_of=depth_of)
     assert [record.getMessage()[:38] for record in caplog.records] == [
-        "neither depth nor IDs of the frames ar"
+        "neither depth nor IDs are known of bot"
     ]
 
 
