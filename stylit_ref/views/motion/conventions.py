@@ -10,8 +10,8 @@ blender    before, +x -y  next, -x +y    Blender's Vector pass: previous minus
                                          current, current minus next, y up
 nuke       next, +x -y    before, +x -y  Nuke's layers forward and backward, y up
 flo        next, +x +y                   ``.flo`` files: Middlebury, Sintel, RAFT
-own        next, +x +y                   this project's MOTION, to the frame that
-                                         the file is for
+own        next, +x +y                   this project's MOTION; in a file of a
+                                         pair, from the first to the second
 =========  =============  =============  ========================================
 
 A name may be followed by ``-flip-x``, ``-flip-y`` (the sign of an axis is the other one), ``-swap``
