@@ -82,8 +82,8 @@ class Sequence:
         rng = np.random.default_rng(number)
         self.parameters = {
             "method": "ref", "guide_channels": [3, 1], "guide_weights": [1.0, 1.0],
-            "guide_influence": 2.0, "patch_width": 3, "levels": 2, "votes": 2, "iterations": 1,
-            "coherence": 0.5, "form": "norm", "seed": SEED,
+            "guide_influence": 2.0, "patch_width": 3, "levels": 2, "votes": 2, "outliers": 0,
+            "iterations": 1, "coherence": 0.5, "form": "norm", "seed": SEED,
         } | chosen  # fmt: skip
         own = {
             "ref": {"uniformity": 5000.0},

@@ -265,6 +265,11 @@ MISTAKES = {
         "target = np.concatenate([guides, picture], axis=-1)",
         "iteration",
     ),
+    "outliers that count": (
+        'nnf, self.radius, self.p["outliers"])',
+        "nnf, self.radius)",
+        "iteration",
+    ),
     "votes counted from 0": (
         "nnf = self.search(source, target, weights, nnf, level, k)",
         "nnf = self.search(source, target, weights, nnf, level, k - 1)",
