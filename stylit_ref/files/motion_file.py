@@ -36,8 +36,8 @@ class Vectors(NamedTuple):
     pairs : tuple of (H, W, 2) float32 or None
         Blender and Nuke have two pairs of channels, one for each direction in time; Nuke's may lack
         one. All values are finite.
-    known : (H, W) bool
-        Whether the pixel has vectors.
+    known : tuple of (H, W) bool or None
+        Of each pair, whether the pixel has a vector.
     visible : (H, W) bool or None
         Whether the other frame shows the pixel's point; None where the file does not tell.
     dialect : {"flo", "blender", "nuke", "own", "other"}
@@ -45,7 +45,7 @@ class Vectors(NamedTuple):
     """
 
     pairs: tuple[NDArray[np.float32] | None, ...]
-    known: NDArray[np.bool_]
+    known: tuple[NDArray[np.bool_] | None, ...]
     visible: NDArray[np.bool_] | None
     dialect: str
 
@@ -132,8 +132,9 @@ def _pixels(path, contents: Contents, layer: Layer) -> NDArray[np.float32]:
 
 def _vectors(pairs, visible, dialect):
     """Vectors whose unknown pixels are 0."""
-    known = np.logical_and.reduce([(abs(p) <= UNKNOWN).all(2) for p in pairs if p is not None])
+    known = tuple(None if pair is None else (abs(pair) <= UNKNOWN).all(axis=2) for pair in pairs)
     pairs = tuple(
-        None if pair is None else np.where(known[:, :, None], pair, np.float32(0)) for pair in pairs
+        None if pair is None else np.where(has_vector[:, :, None], pair, np.float32(0))
+        for pair, has_vector in zip(pairs, known, strict=True)
     )
     return Vectors(pairs, known, visible, dialect)

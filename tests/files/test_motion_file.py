@@ -7,6 +7,7 @@ from exr_files import write_exr, write_named_parts
 from stylit_ref import InputError, write_image
 from stylit_ref.files.motion_file import read_vectors
 from stylit_ref.files.motion_flo import MARK, read_flo, write_flo
+from stylit_ref.views.motion.reading import read_motion
 
 BLENDER = {"X": -8, "Y": -4, "Z": -16, "W": -2}
 COLOURS = dict.fromkeys(("ViewLayer.Combined.R", "ViewLayer.Combined.G", "ViewLayer.Combined.B"), 1)
@@ -78,7 +79,7 @@ def test_flo(tmp_path):
     assert (tmp_path / "a.flo").read_bytes()[:12] == MARK + b"\5\0\0\0\3\0\0\0"
     read = read_vectors(tmp_path / "a.flo")
     assert np.array_equal(read.pairs[0], vectors)
-    assert read.known.all()
+    assert read.known[0].all()
     assert read.dialect == "flo"
 
 
@@ -88,8 +89,21 @@ def test_unknown_vectors_are_zero_and_not_known(tmp_path, broken):
     vectors[1, 2, 0] = broken
     write_flo(tmp_path / "a.flo", vectors)
     read = read_vectors(tmp_path / "a.flo")
-    assert read.known.tolist() == [[True] * 3, [True, True, False]]
+    assert read.known[0].tolist() == [[True] * 3, [True, True, False]]
     assert read.pairs[0][1, 2].tolist() == [0, 0]
+
+
+def test_a_vector_unknown_in_one_direction_is_known_in_the_other(tmp_path):
+    broken = np.zeros((6, 8))
+    broken[1, 2] = np.inf
+    file = write_exr(tmp_path / "a.exr", BLENDER | {"Z": broken})
+    read = read_vectors(file)
+    assert read.known[0].all()
+    assert np.array_equal(read.known[1], np.isfinite(broken))
+    assert (read.pairs[0] == (BLENDER["X"], BLENDER["Y"])).all()
+    motion = read_motion(file)
+    assert motion.backward.visible.all()
+    assert np.argwhere(~motion.forward.visible).tolist() == [[1, 2]]
 
 
 @pytest.mark.parametrize(

@@ -19,7 +19,7 @@ def stored(convention, field, *, backward=None, dialect="other", visible=None):
     for lead in convention.leads:
         pair = (field if lead.step == 1 else backward) * np.float32([lead.right, lead.down])
         pairs.append(pair[:, :, ::-1] if convention.is_swapped else pair)
-    return Vectors(tuple(pairs), np.ones(SIZE, bool), visible, dialect)
+    return Vectors(tuple(pairs), (np.ones(SIZE, bool),) * len(pairs), visible, dialect)
 
 
 def bright(frame):
@@ -90,7 +90,7 @@ def test_a_small_thing_that_moves_is_enough():
     texture = np.random.default_rng(0).random((4, 4)) * 255
     before[20:24, 30:34], after[21:25, 33:37] = texture, texture
     field[20:24, 30:34] = 3, 1
-    vectors = Vectors((field,), np.ones((60, 90), bool), None, "flo")
+    vectors = Vectors((field,), (np.ones((60, 90), bool),), None, "flo")
     verdict = check_motion([Sample("a.flo", vectors, {1: (before, after), -1: (after, before)})])
     assert verdict.convention.name == "flo"
 
