@@ -58,8 +58,8 @@ def stylize_shot(
 
         shot = read_shot(options, files, line)
         outputs = check_shot_outputs(options, files, shot, params, pictures, fields)
-        for folder in filter(None, (options.work, options.run)):
-            check_folder(folder)
+        if options.work:
+            check_folder(options.work)
         if not coherence.weight:
             note(alone)
         channels = shot.style.shape[2], shot.shot.channels

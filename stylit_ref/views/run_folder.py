@@ -106,6 +106,12 @@ class Run:
                 f"{file}: lacks facts of a RUN, or holds wrong ones: {error}"
             ) from None
 
+    @property
+    def files(self) -> list[Path]:
+        """All files of the RUN that are there."""
+        named = [self.folder / name for name in (RUN_FILE, *self.facts.get("digests", {}))]
+        return [file for file in named if file.is_file()]
+
     def style(self) -> NDArray[np.uint8]:
         """The style, (H_A, W_A, n) uint8."""
         return self._image(self._fact("style"))

@@ -1,5 +1,7 @@
 """``stylit-ref sequence`` from end to end."""
 
+import shutil
+
 import numpy as np
 import pytest
 from cli.calls import QUICK, refused, run, sequence
@@ -19,6 +21,7 @@ from stylit_ref.files.motion_flo import write_flo
 from stylit_ref.views.motion.between import motion_between
 from stylit_ref.views.motion.conventions import FrameMotion
 from stylit_ref.views.motion.reading import read_motion
+from stylit_ref.views.run_folder import Run
 
 PARAMS = Params(levels=2, votes=1, patchmatch_iterations=1)
 
@@ -273,3 +276,49 @@ def test_run_explains_a_name_that_stands_for_many_frames(shot, capsys, nothing_w
     message = refused(capsys, run(folder, guides=("source_{}.png", "target_{}.%04d.png")))
     assert "target_0.%04d.png: stands for the files of many frames" in message
     assert "'stylit-ref sequence'" in message
+
+
+@pytest.mark.parametrize("kept", ["style.png", "notes.txt"])
+def test_a_run_is_not_written_over_other_files(shot, capsys, kept):
+    folder = shot[0]
+    (folder / "painted").mkdir()
+    shutil.copy(folder / "style.png", folder / "painted" / kept)
+    before = (folder / "painted" / kept).read_bytes()
+    message = refused(capsys, sequence(folder, "--run", folder / "painted"))
+    assert f"{folder}/painted: holds other files than those of a RUN; name a new" in message
+    assert [each.name for each in (folder / "painted").iterdir()] == [kept]
+    assert (folder / "painted" / kept).read_bytes() == before
+    assert not list(folder.glob("out*"))
+
+
+@pytest.mark.parametrize(
+    ("flags", "said"),
+    [
+        (("--style", "run/style.png"), "run/style.png: the output would overwrite this input"),
+        (("--output", "run/pictures/%d.png"), "two outputs have this name; name another"),
+        (("--nnf", "run/nnfs/%d.npy"), "two outputs have this name; name another"),
+        (("--style", "run/pictures/9.png"), "run/pictures/9.png: the output would overwrite"),
+    ],
+)
+def test_files_of_a_run_are_not_for_others(shot, capsys, monkeypatch, flags, said):
+    folder = shot[0]
+    for name in ("style", "pictures/9"):
+        write_image(folder / "run" / f"{name}.png", shot[1])
+    facts = '{"schema": "stylit-ref run", "digests": {"style.png": "", "pictures/9.png": ""}}'
+    (folder / "run" / "run.json").write_text(facts, encoding="utf-8")
+    monkeypatch.chdir(folder)
+    assert said in refused(capsys, sequence(folder, "--run", "run", *flags))
+    assert (folder / "run" / "run.json").read_text(encoding="utf-8") == facts
+
+
+def test_an_interrupted_run_goes_on_with_its_folder(shot, monkeypatch):
+    folder = shot[0]
+
+    def interrupted(*arguments, **settings):
+        raise KeyboardInterrupt
+
+    with monkeypatch.context() as patched:
+        patched.setattr(shot_out, "write_image", interrupted)
+        assert sequence(folder, "--run", folder / "run") == 130
+    assert sequence(folder, "--run", folder / "run") == 0
+    assert Run(folder / "run").names == ("1", "2", "3")
