@@ -163,3 +163,13 @@ def test_the_run_file_of_another_program_is_not_replaced(tmp_path, text):
     with pytest.raises(InputError, match="is not that of a RUN; name another folder"):
         written(tmp_path)
     assert (tmp_path / "run.json").read_text(encoding="utf-8") == text
+
+
+def test_what_a_run_has_not_is_refused(made):
+    run, _, _ = made
+    for read in (run.picture, run.field):
+        for frame in (-1, 2):
+            with pytest.raises(InputError, match=f"has no frame {frame}; its frames are 0 to 1"):
+                read(frame)
+    with pytest.raises(InputError, match=r"has no motion from frame 1 into frame 7; its pairs are"):
+        run.motion(1, 7)
