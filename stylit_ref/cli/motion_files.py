@@ -22,6 +22,11 @@ from stylit_ref.views.motion.reading import read_motion
 
 Read = TypeVar("Read")
 
+_TWO_WAYS = (
+    "{}: leads into the frame before and into the next, and stands for one pair of frames; write a "
+    "file of its own for each direction"
+)
+
 
 @dataclass(frozen=True)
 class VectorsOfFrames:
@@ -98,10 +103,10 @@ class VectorsOfPair:
         Raises
         ------
         InputError
-            If a file cannot be read.
+            If a file cannot be read, or leads into two frames.
         """
-        ahead = read_motion(self.ahead, self.convention)
-        back = read_motion(self.back, self.convention) if self.back else FrameMotion(None, None)
+        ahead = _one_way(self.ahead, self.convention)
+        back = _one_way(self.back, self.convention) if self.back else FrameMotion(None, None)
         vectors = {
             0: FrameMotion(ahead.forward or ahead.backward, None, ahead.tells_visible),
             1: FrameMotion(None, back.forward or back.backward, back.tells_visible),
@@ -167,6 +172,13 @@ def _size_of(path):
     if file.suffix.lower() == ".flo":
         return read_flo(file).shape[:2]
     return contents_of(file).layers[0].size
+
+
+def _one_way(path, convention):
+    motion = read_motion(path, convention)
+    if motion.forward and motion.backward:
+        raise InputError(_TWO_WAYS.format(path))
+    return motion
 
 
 def _reading(files: Mapping[int, str], read: Callable[[str], Read]) -> Callable[[int], Read | None]:
