@@ -80,6 +80,13 @@ def test_without_motion_every_frame_is_that_of_run(shot, capsys):
     assert not (folder / "out.0002.png").exists()
 
 
+def test_coherence_of_0_is_told_where_motion_is_named(shot, capsys):
+    assert sequence(shot[0], *motion(shot[0]), "--coherence", 0, "--frames", "1-2") == 0
+    said = capsys.readouterr().err
+    assert "--coherence is 0, so the motion is not used; with a larger number strokes move" in said
+    assert "name the motion" not in said
+
+
 def test_motion_is_followed_through_frames_that_are_left_out(shot):
     folder, style, sources, frames = shot
     assert sequence(folder, *motion(folder), "--frames", "1-3x2") == 0
