@@ -160,6 +160,42 @@ def test_missing_frames_are_all_named_at_once(shot, capsys):
     assert not list(folder.glob("out*"))
 
 
+def test_all_that_is_missing_is_named_at_once(shot, capsys):
+    folder = shot[0]
+    for name in ("target_0.0002.png", "flow.0001.flo", "source_1.png"):
+        (folder / name).unlink()
+    beside = "--depth", f"{folder}/depth.%d.exr", "--ids", f"{folder}/ids.%d.png"
+    message = refused(capsys, sequence(folder, *motion(folder), *beside, "--frames", "1-3"))
+    for name, frames in (
+        ("target_0.%04d.png", "frame 2"),
+        ("flow.%04d.flo", "frame 1"),
+        ("depth.%d.exr", "frames 1-3"),
+        ("ids.%d.png", "frames 1-3"),
+    ):
+        assert f"{folder}/{name}: there is no file for {frames}" in message
+    assert f"{folder}/source_1.png: no such file" in message
+
+
+def test_the_header_of_every_file_is_read_before_anything_runs(shot, capsys):
+    folder, size = shot[0], shot[3][0][0].shape[:2]
+    vector = [f"Vector.{role}" for role in "XYZW"]
+    for frame, names in (
+        (1, (vector, ["Depth.Z"], ["Ids.X"])),
+        (2, (vector, ["Depth.Z"], ["Ids.X"])),
+        (3, (["Other.R", "Other.G"], ["Depth.X", "Depth.Y"], ["R", "G", "B"])),
+    ):
+        for kind, channels in zip(("vector", "depth", "ids"), names, strict=True):
+            write_exr(folder / f"{kind}.{frame}.exr", dict.fromkeys(channels, 1), size)
+    write_image(folder / "target_1.0002.png", np.zeros((30, 20, 1), np.uint8))
+    flags = "--motion", f"{folder}/vector.%d.exr", "--depth", f"{folder}/depth.%d.exr"
+    message = refused(capsys, sequence(folder, *flags, "--ids", f"{folder}/ids.%d.exr"))
+    assert "target_1.0002.png: is 20x30 but" in message
+    assert "vector.3.exr: the names of its channels do not tell the convention" in message
+    assert "depth.3.exr: has 2 channels of half; depth is one channel of floating" in message
+    assert "ids.3.exr: holds colours in floating point; IDs are" in message
+    assert not list(folder.glob("out*"))
+
+
 def test_frames_of_other_sizes_are_all_named_at_once(shot, capsys):
     folder = shot[0]
     for frame in (2, 3):
