@@ -120,7 +120,10 @@ def begin_run(folder: Path, files: RunFiles) -> None:
     facts = {"schema": SCHEMA, "digests": dict.fromkeys(sorted(listed))}
     write_text(folder / UNFINISHED_FILE, json.dumps(facts, indent=1) + "\n")
     for file in old:
-        file.unlink(missing_ok=True)
+        try:
+            file.unlink(missing_ok=True)
+        except OSError as error:
+            raise InputError(f"{file}: cannot be removed: {error.strerror}") from None
 
 
 def _named_by(file: Path) -> Iterator[str]:

@@ -173,3 +173,11 @@ def test_what_a_run_has_not_is_refused(made):
                 read(frame)
     with pytest.raises(InputError, match=r"has no motion from frame 1 into frame 7; its pairs are"):
         run.motion(1, 7)
+
+
+def test_a_file_that_cannot_be_removed_is_told(tmp_path):
+    (tmp_path / "pictures").mkdir()
+    facts = {"schema": "stylit-ref run", "digests": {"pictures": ""}}
+    (tmp_path / "run.json").write_text(json.dumps(facts), encoding="utf-8")
+    with pytest.raises(InputError, match=r"pictures: cannot be removed: "):
+        written(tmp_path)
