@@ -1,7 +1,7 @@
 """Options that name the motion between the frames of a sequence, and the files they lead to."""
 
 import argparse
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from stylit_ref.cli.frame_files import counted, pattern_of
 from stylit_ref.cli.motion_files import MotionFiles, VectorsOfFrames, vectors_of_pairs
@@ -51,7 +51,7 @@ def add_motion_options(group: argparse._ArgumentGroup) -> None:
 
 def find_motion(
     options: argparse.Namespace, frames: Sequence[int], order: str, problems: list[str]
-) -> dict[tuple[int, int], MotionFiles]:
+) -> Mapping[tuple[int, int], MotionFiles]:
     """The files that tell the motion between neighbouring frames.
 
     Parameters
