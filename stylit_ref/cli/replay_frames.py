@@ -35,7 +35,7 @@ def replay_frames(options: argparse.Namespace) -> None:
             raise InputError("is not for --run, which has none; leave it out", parameter=name)
     run, style = Run(options.run), read_image(options.style)
     outputs = _outputs(options.output, run.names)
-    check_distinct(outputs, [options.style])
+    check_distinct(outputs, [options.style, *run.files])
     for output in outputs:
         check_image_writable(output, style.shape[2])
     holds_bits_of(style, outputs[0], style.shape[2])

@@ -19,6 +19,8 @@ from stylit_ref.views.run_writer import RunWriter
 from stylit_ref.views.stylize_views import stylize_views
 from stylit_ref.views.warm_up import kernels_of_frames
 
+_UNUSED = "--coherence is 0, so the motion is not used; with a larger number strokes move along"
+
 
 def stylize_shot(
     options: argparse.Namespace,
@@ -59,10 +61,10 @@ def stylize_shot(
 
         shot = read_shot(options, files, line)
         outputs = check_shot_outputs(options, files, shot, params, pictures, fields)
-        for folder in filter(None, (options.work, options.run)):
-            check_folder(folder)
+        if options.work:
+            check_folder(options.work)
         if not coherence.weight:
-            note(alone)
+            note(alone if options.weight is None else _UNUSED)
         channels = shot.style.shape[2], shot.shot.channels
         line.compile(lambda: kernels_of_frames(params, coherence, *channels))
         writer = _run_writer(options, files, shot, params, coherence) if options.run else None

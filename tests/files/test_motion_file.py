@@ -1,11 +1,13 @@
 """Vectors in the files of several programs."""
 
+import tracemalloc
+
 import numpy as np
 import pytest
 from exr_files import write_exr, write_named_parts
 
 from stylit_ref import InputError, write_image
-from stylit_ref.files.motion_file import read_vectors
+from stylit_ref.files.motion_file import VectorsLook, look_at_vectors, read_vectors
 from stylit_ref.files.motion_flo import MARK, read_flo, write_flo
 from stylit_ref.views.motion.reading import read_motion
 
@@ -133,3 +135,30 @@ def test_one_channel_is_refused(tmp_path):
     file = write_exr(tmp_path / "a.exr", {"Z": 1})
     with pytest.raises(InputError, match="has one channel; vectors need two"):
         read_vectors(file)
+
+
+def test_a_look_reads_the_header_alone(tmp_path):
+    with (tmp_path / "a.flo").open("wb") as file:
+        file.write(MARK + np.int32([1024, 512]).tobytes())
+        file.truncate(12 + 8 * 1024 * 512)
+    tracemalloc.start()
+    look = look_at_vectors(tmp_path / "a.flo")
+    most = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert look == VectorsLook((512, 1024), (True,), "flo")
+    assert most < 100_000
+
+
+@pytest.mark.parametrize(
+    ("channels", "pairs", "dialect"),
+    [
+        ([f"ViewLayer.Vector.{role}" for role in BLENDER], (True, True), "blender"),
+        (["forward.u", "forward.v"], (True, False), "nuke"),
+        (["backward.u", "backward.v"], (False, True), "nuke"),
+        (["MOTION.X", "MOTION.Y", "VISIBLE.Y"], (True,), "own"),
+        (["a.R", "a.G"], (True,), "other"),
+    ],
+)
+def test_a_look_tells_what_vectors_there_are(tmp_path, channels, pairs, dialect):
+    file = write_exr(tmp_path / "a.exr", dict.fromkeys(channels, 1), (6, 9))
+    assert look_at_vectors(file) == VectorsLook((6, 9), pairs, dialect)

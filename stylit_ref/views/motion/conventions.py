@@ -29,7 +29,7 @@ from typing import NamedTuple
 import numpy as np
 
 from stylit_ref.errors import InputError
-from stylit_ref.files.motion_file import BLENDER, FLO, NUKE, OTHER, OWN, Vectors
+from stylit_ref.files.motion_file import BLENDER, FLO, NUKE, OTHER, OWN, Vectors, VectorsLook
 from stylit_ref.views.frames import Motion
 
 AUTO = "auto"
@@ -181,12 +181,12 @@ def convention_named(name: str) -> Convention:
     )
 
 
-def convention_of(vectors: Vectors, source: str) -> Convention:
+def convention_of(vectors: Vectors | VectorsLook, source: str) -> Convention:
     """The convention that the names of file and channels tell.
 
     Parameters
     ----------
-    vectors : Vectors
+    vectors : Vectors or VectorsLook
     source : str
         The file's name, for the message.
 

@@ -131,3 +131,12 @@ def test_vectors_of_blender_are_those_of_projected_points():
     inside, beside = vectors_off(FOLDER)
     assert inside.max() < 0.05
     assert np.mean(beside > 0.05) < 0.02
+
+
+def test_files_of_several_kinds_are_refused():
+    flo = stored(CONVENTIONS["flo"], FORWARD, dialect="flo")
+    blender = stored(CONVENTIONS["blender"], FORWARD, backward=BACKWARD, dialect="blender")
+    for first, second, said in ((flo, blender, "4 channels"), (blender, flo, "2 channels")):
+        samples = [*square(first), square(second)[0]._replace(name="b.exr")]
+        with pytest.raises(InputError, match=f"b.exr: has vectors of {said}, and a.exr of"):
+            check_motion(samples)
