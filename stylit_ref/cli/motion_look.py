@@ -9,10 +9,16 @@ from stylit_ref.files.disk.paths import split_layer
 from stylit_ref.files.layers.contents import contents_of
 from stylit_ref.files.motion_file import look_at_vectors
 from stylit_ref.files.picture import plain_layer
+from stylit_ref.notes import note
 from stylit_ref.stylization.checks import size_text
 from stylit_ref.views.motion.conventions import AUTO, convention_named, convention_of
 
 Size = tuple[int, int]
+
+_STILL = (
+    "has no vectors but 0 between the first two frames; if something moves there, switch Motion "
+    "Blur off and render again ('stylit-ref motion check' tells more)"
+)
 
 _WHOLE_NUMBERS = {"uint8", "uint16"}
 
@@ -47,7 +53,8 @@ def check_motion_files(motion: Iterable[MotionFiles], size: Size | None) -> list
             )
     if motion and not problems:
         try:
-            motion[0].read()
+            if not motion[0].read().field.any():
+                note(_STILL, parameter="motion")
         except InputError as error:
             problems.append(error.sentence)
     return problems

@@ -258,6 +258,15 @@ def test_motion_that_is_missing_is_named(shot, capsys):
     assert "there is no file of such a name" in message
 
 
+def test_vectors_that_are_all_0_are_noted(shot, capsys):
+    folder = shot[0]
+    assert sequence(folder, *motion(folder), "--frames", "1-2") == 0
+    assert "no vectors but 0" not in capsys.readouterr().err
+    write_flo(folder / "flow.0001.flo", np.zeros((*shot[3][0][0].shape[:2], 2), np.float32))
+    assert sequence(folder, *motion(folder), "--frames", "1-2") == 0
+    assert "--motion has no vectors but 0 between the first two frames" in capsys.readouterr().err
+
+
 def test_one_frame_needs_no_motion(shot):
     folder = shot[0]
     assert sequence(folder, "--motion", f"{folder}/none.%04d.flo", "--frames", 2) == 0
