@@ -5,11 +5,12 @@ import numpy as np
 from eval.frame_sets import FrameSet
 from eval.number import Number
 
-NUMBERS = {"guides": Number("guides", "{:.2f}")}
+NUMBERS = {"guide_error": Number("error of guides", "{:.2f}")}
 
 DEFINITION = """\
-- **guides**: mean absolute difference between the guides of a target pixel and those of the source
-  pixel that it was taken from, in 8-bit steps, over channels and frames; lower is better."""
+- **error of guides**: mean absolute difference between the guides of a target pixel and those of
+  the source pixel that it was taken from, in 8-bit steps, over channels and frames; lower is
+  better."""
 
 
 def measure(scene, outcome):
@@ -18,7 +19,7 @@ def measure(scene, outcome):
         return {}
     frames = zip(outcome.nnf, scene.guides, strict=True)
     return {
-        "guides": float(
+        "guide_error": float(
             np.mean([guide_error(nnf, scene.source_guides, guides) for nnf, guides in frames])
         )
     }

@@ -4,12 +4,9 @@ Threads meet on a pixel in any order, so each step takes a least value atomicall
 then what decides among those of that depth.
 """
 
-import math
-
 import numpy as np
 from numba import cuda, types
 
-from gpu_cuda.host.argument_types import MAP
 from gpu_cuda.host.device import device_function, launch
 from gpu_cuda.host.memory import empty, fill
 from gpu_cuda.views.argument_types import DEPTH, FIELD, FLAGS, PLACES
@@ -17,7 +14,7 @@ from gpu_cuda.views.formulae import differ, fixed
 from stylit_ref.views.formulae.vectors import ONE
 
 RANKS = types.int64[:, ::1]
-NONE = (1 << 31) - 1
+NUMBERS = (1 << 32) - 1
 NO_RANK = (1 << 63) - 1
 
 
@@ -28,16 +25,14 @@ def least(values, row, column, value):
 
 
 @cuda.jit
-def find_nearest_kernel(places, depth, first, nearest):
+def find_nearest_kernel(places, depth, nearest):
     x, y = cuda.grid(2)
     height, width = depth.shape
     if y >= height or x >= width:
         return
     row, column = places[y, x, 0], places[y, x, 1]
     if row >= 0:
-        least(first, row, column, np.int32(y * width + x))
-        if not math.isnan(depth[y, x]):
-            least(nearest, row, column, depth[y, x])
+        least(nearest, row, column, depth[y, x])
 
 
 @cuda.jit
@@ -56,17 +51,14 @@ def find_closest_kernel(field, places, depth, nearest, ranks):
 
 
 @cuda.jit
-def take_winners_kernel(depth, first, ranks, winners):
+def take_winners_kernel(ranks, winners):
     column, row = cuda.grid(2)
-    height, width = depth.shape
+    height, width = ranks.shape
     if row >= height or column >= width:
         return
     winners[row, column, 0] = winners[row, column, 1] = -1
-    winner = first[row, column]
-    if winner != NONE:
-        # A depth that is no number is never beaten, and beats nothing.
-        if not math.isnan(depth[winner // width, winner % width]):
-            winner = np.int32(ranks[row, column] & NONE)
+    if ranks[row, column] != NO_RANK:
+        winner = np.int32(ranks[row, column] & NUMBERS)
         winners[row, column, 0], winners[row, column, 1] = winner // width, winner % width
 
 
@@ -92,22 +84,21 @@ def find_beaten_kernel(field, places, winners, beaten, contested):
 
 def kernels(sizes):
     """Every kernel's name, the kernel and the types of its arguments."""
-    yield "views: find nearest", find_nearest_kernel, (PLACES, DEPTH, MAP, DEPTH)
+    yield "views: find nearest", find_nearest_kernel, (PLACES, DEPTH, DEPTH)
     yield "views: find closest", find_closest_kernel, (FIELD, PLACES, DEPTH, DEPTH, RANKS)
-    yield "views: take winners", take_winners_kernel, (DEPTH, MAP, RANKS, PLACES)
+    yield "views: take winners", take_winners_kernel, (RANKS, PLACES)
     yield "views: find beaten", find_beaten_kernel, (FIELD, PLACES, PLACES, FLAGS, FLAGS)
 
 
 def splat(field, places, depth, winners):
     """As :func:`stylit_ref.views.passes.splat`."""
     size = depth.shape
-    first, nearest, ranks = (empty(size, dtype) for dtype in (np.int32, np.float32, np.int64))
-    fill(first, NONE)
+    nearest, ranks = empty(size, np.float32), empty(size, np.int64)
     fill(nearest, np.inf)
     fill(ranks, NO_RANK)
-    launch(find_nearest_kernel, size, places, depth, first, nearest)
+    launch(find_nearest_kernel, size, places, depth, nearest)
     launch(find_closest_kernel, size, field, places, depth, nearest, ranks)
-    launch(take_winners_kernel, size, depth, first, ranks, winners)
+    launch(take_winners_kernel, size, ranks, winners)
 
 
 def find_beaten(field, places, winners, beaten, contested):

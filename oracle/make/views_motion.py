@@ -18,11 +18,13 @@ SMALL = ("one_pixel", (1, 1)), ("one_row", (1, 9)), ("one_column", (10, 1))
 
 LANDINGS = {
     "splat": (
-        "plain", "one_pixel", "equal_depths", "no_depth", "ties", "crowded", "depth_is_no_number",
+        "plain", "one_pixel", "equal_depths", "no_depth", "ties", "crowded", "nothing_there",
         "not_numbers",
     ),
-    "invert": ("plain", "one_row", "no_depth", "ties", "cracks", "uncovered", "crossing"),
-    "unhidden": ("plain", "one_pixel", "no_depth", "crowded"),
+    "invert": (
+        "plain", "one_row", "no_depth", "ties", "nothing_there", "cracks", "uncovered", "crossing",
+    ),
+    "unhidden": ("plain", "one_pixel", "no_depth", "nothing_there", "crowded"),
 }  # fmt: skip
 """What lands in the cases of each stage."""
 
@@ -130,8 +132,8 @@ def _landings(rng):
     middle = np.stack(np.mgrid[: SIZE[0], : SIZE[1]][::-1], axis=-1)
     crowd["field"] += (4, 3) - middle + rng.choice([-0.25, 0.25], (*SIZE, 1))
     yield "crowded", crowd | {"depth": of_few(rng, [1, 2])}
-    unknown = of_few(rng, [np.nan, 1, 2, np.inf, -np.inf])
-    yield "depth_is_no_number", motion(rng) | {"depth": unknown}
+    nothing = of_few(rng, [np.nan, 0, -1, 1e9, np.inf, -np.inf, 9.9e8, 1, 2])
+    yield "nothing_there", motion(rng) | {"depth": nothing}
     yield "not_numbers", motion(rng, awkward=NOT_NUMBERS)
     yield "cracks", coming_nearer((8, 12)) | {"depth": of_few(rng, [1], (8, 12))}
     passing = uniform(SIZE, 0.0)
@@ -164,7 +166,6 @@ def _silhouettes(rng):
     for name, arrays, ends in (
         ("plain", motion(rng), ("depth_0", "depth_1")),
         ("labels", motion(rng), ("labels_0", "labels_1")),
-        ("mixed", motion(rng, longest=1.0), ("labels_0", "depth_1")),
         ("hidden", motion(rng, shown=0.1), ("depth_0", "depth_1")),
         ("one_pixel", uniform((1, 1), 0.0), ("depth_0", "depth_1")),
     ):
@@ -191,22 +192,28 @@ def _edges():
     told, untold = {"tells_visible": True}, {"tells_visible": False}
     ahead, back = {"to": 0, "other": 1}, {"to": 1, "other": 0}
     two, three = crossing_square(2), crossing_square(3)
-    both = "forward_0", "backward_1", "shown"
-    over = "forward_0", "backward_1", "backward_2", "shown", "depth_0", "depth_2"
+    forward, backward = ("forward_0", "forward_shown_0"), ("backward_1", "backward_shown_1")
+    both = "forward", "backward"
+    over = *forward, *backward, "backward_2", "backward_shown_2", "depth_0", "depth_2"
     for name, parameters, arrays in (
-        ("forward", ahead | untold, only(two, "forward_0", "shown_0")),
-        ("backward", ahead | untold, only(two, "backward_1", "shown_1")),
+        ("forward", ahead | untold, only(two, *forward)),
+        ("backward", ahead | untold, only(two, *backward)),
         ("both", ahead | untold, only(two, *both)),
         ("told", ahead | told, only(two, *both)),
-        ("with_labels", ahead | told, only(two, "forward_0", "shown_0", "labels")),
-        ("with_depth", back | untold, only(two, "forward_0", "shown_0", "depth")),
-        ("mixed", ahead | untold, only(two, "backward_1", "shown_1", "depth_0", "labels_1")),
-        ("one_end", ahead | untold, only(two, "forward_0", "shown_0", "depth_0")),
+        ("with_labels", ahead | told, only(two, *forward, "labels")),
+        ("with_depth", back | untold, only(two, *forward, "depth")),
+        (
+            "with_labels_and_one_depth",
+            ahead | untold,
+            only(two, *forward, "labels", "depth_0"),
+        ),
+        ("mixed", ahead | untold, only(two, *backward, "depth_0", "labels_1")),
+        ("one_end", ahead | untold, only(two, *forward, "depth_0")),
         ("over_three", {"to": 0, "other": 2} | untold, only(three, *over)),
         (
             "back_over_three",
             {"to": 2, "other": 0} | untold,
-            only(three, "forward_0", "forward_1", "shown"),
+            only(three, *forward, "forward_1", "forward_shown_1"),
         ),
     ):
         yield "motion", name, parameters, arrays

@@ -17,6 +17,7 @@ ITERATIONS = {
     "alone": {"neighbours": 0},
     "four": {"neighbours": 4, "style_channels": 4},
     "hidden": {"shown": 0.0, "form": "plain"},
+    "outliers": {"outliers": 4},
 }
 """How each iteration differs from that of ``ref``."""
 
@@ -32,6 +33,7 @@ RUNS = {
     "ring": {"frames": 3, "pairs": ((0, 2), (1, 0), (2, 1)), "order": "sweeps", "votes": 1},
     "two_channels": {"style_channels": 2, "target": (7, 11), "seed": (1 << 64) - 5},
     "odd": {"source": (9, 11), "target": (11, 7), "order": "sequential", "votes": 1},
+    "outliers": {"outliers": 4, "votes": 1},
 }
 """How each run differs from two frames of ``ref`` at once."""
 

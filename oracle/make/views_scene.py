@@ -55,12 +55,13 @@ def crossing_square(frames, size=(6, 9)):
         depth, labels = np.full(size, 4, np.float32), np.zeros(size, np.int32)
         square = np.s_[2:5, 1 + 2 * frame : 4 + 2 * frame]
         depth[square], labels[square] = 2, 7
-        shown = np.ones(size, bool)
-        shown[0, frame] = False
+        forward_shown, backward_shown = np.ones((2, *size), bool)
+        forward_shown[0, frame] = backward_shown[5, frame] = False
         forward = np.zeros((*size, 2), np.float32)
         forward[square] = 2, 0
         arrays |= {
-            f"forward_{frame}": forward, f"backward_{frame}": -forward, f"shown_{frame}": shown,
+            f"forward_{frame}": forward, f"forward_shown_{frame}": forward_shown,
+            f"backward_{frame}": -forward, f"backward_shown_{frame}": backward_shown,
             f"depth_{frame}": depth, f"labels_{frame}": labels,
         }  # fmt: skip
     return arrays
@@ -81,8 +82,8 @@ class Sequence:
         rng = np.random.default_rng(number)
         self.parameters = {
             "method": "ref", "guide_channels": [3, 1], "guide_weights": [1.0, 1.0],
-            "guide_influence": 2.0, "patch_width": 3, "levels": 2, "votes": 2, "iterations": 1,
-            "coherence": 0.5, "form": "norm", "seed": SEED,
+            "guide_influence": 2.0, "patch_width": 3, "levels": 2, "votes": 2, "outliers": 0,
+            "iterations": 1, "coherence": 0.5, "form": "norm", "seed": SEED,
         } | chosen  # fmt: skip
         own = {
             "ref": {"uniformity": 5000.0},

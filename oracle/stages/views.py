@@ -4,8 +4,8 @@ import numpy as np
 
 from oracle.stages.stage import Stage
 from stylit_ref.metric.packing import make_packing
+from stylit_ref.views.formulae.depth import depth_of_things, inverse_depth
 from stylit_ref.views.formulae.fold import ONE, fixed_weight
-from stylit_ref.views.formulae.silhouette import inverse_depth
 from stylit_ref.views.frames import Motion
 from stylit_ref.views.motion.between import motion_between
 from stylit_ref.views.motion.composition import composed
@@ -59,9 +59,9 @@ def _compose(_, parameters, arrays):
 
 def _splat(passes, parameters, arrays):
     size, places = arrays["visible"].shape, _places(passes, arrays)
-    depth = arrays.get("depth", np.zeros(size, np.float32))
+    depth = arrays.get("depth", np.ones(size, np.float32))
     winners = np.empty((*size, 2), np.int32)
-    passes.splat(arrays["field"], places, depth, winners)
+    passes.splat(arrays["field"], places, depth_of_things(depth), winners)
     beaten, contested = np.empty(size, np.bool_), np.empty(size, np.bool_)
     passes.find_beaten(arrays["field"], places, winners, beaten, contested)
     return {"winners": winners, "beaten": beaten, "contested": contested}
@@ -104,11 +104,12 @@ def _along(_, parameters, arrays):
 
 def _between(_, parameters, arrays):
     def motion_of(frame):
-        if f"shown_{frame}" not in arrays:
-            return None
-        shown = arrays[f"shown_{frame}"]
-        fields = [arrays.get(f"{way}_{frame}") for way in ("forward", "backward")]
-        both = [None if field is None else Motion(field, shown) for field in fields]
+        both = [
+            Motion(arrays[f"{way}_{frame}"], arrays[f"{way}_shown_{frame}"])
+            if f"{way}_{frame}" in arrays
+            else None
+            for way in ("forward", "backward")
+        ]
         return FrameMotion(*both, tells_visible=parameters["tells_visible"])
 
     motion = motion_between(

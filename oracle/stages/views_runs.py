@@ -23,6 +23,7 @@ def _params(parameters):
         patch_width=parameters["patch_width"],
         levels=parameters["levels"],
         votes=parameters["votes"],
+        vote_outliers=parameters["outliers"],
         patchmatch_iterations=parameters["iterations"],
         guide_influence=parameters["guide_influence"],
         guide_weights=parameters["guide_weights"],

@@ -20,3 +20,8 @@ def tell_finished(path: str | Path, image: np.ndarray, seconds: float, *others: 
     height, width = image.shape[:2]
     beside = "".join(f", {other}" for other in others)
     print(f"wrote {path} ({width}x{height}){beside} in {seconds:.1f} s", file=sys.stderr)
+
+
+def counted_frames(number: int) -> str:
+    """As in ``1 frame``, ``3 frames``."""
+    return f"{number} frame" + "s" * (number != 1)

@@ -2,11 +2,10 @@
 
 import argparse
 import os
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
 from typing import NamedTuple
 
 from stylit_ref.cli.guide_options import files_of_side
-from stylit_ref.cli.shot_in import refuse_all
 from stylit_ref.errors import InputError
 from stylit_ref.files.disk.frame_ranges import frames_of, range_text
 from stylit_ref.files.disk.patterns import FramePattern, is_pattern
@@ -19,21 +18,25 @@ class FrameFiles(NamedTuple):
     ----------
     frames : tuple of int
         Their numbers, in ascending order.
+    source_guides : list of str
     guides : list of list of str
         For every frame the file of each guide.
     """
 
     frames: tuple[int, ...]
+    source_guides: list[str]
     guides: list[list[str]]
 
 
-def find_frames(options: argparse.Namespace) -> FrameFiles:
-    """The frames that ``--frames`` names, or those on the disk, and their guides.
+def find_frames(options: argparse.Namespace, problems: list[str]) -> FrameFiles:
+    """The frames that ``--frames`` names, or those on the disk, and all guides.
 
     Parameters
     ----------
     options : argparse.Namespace
         With ``--guide``, ``--guide-layers`` and ``--frames``.
+    problems : list of str
+        What is missing is added to it, a sentence each.
 
     Returns
     -------
@@ -42,26 +45,33 @@ def find_frames(options: argparse.Namespace) -> FrameFiles:
     Raises
     ------
     InputError
-        If a target has no placeholder, or frames are missing; all that are missing are named.
+        If a target has no placeholder.
     """
     patterns = [pattern_of(target, "guide") for _, target in options.guide]
     found = [pattern.frames() for pattern in patterns]
-    wanted = frames_of(options.frames) if options.frames else sorted(set().union(*found))
-    refuse_all(
-        [
-            _why_missing(pattern.text, there, wanted)
-            for pattern, there in zip(patterns, found, strict=True)
-            if not there or not set(wanted).issubset(there)
-        ]
-    )
-    guides, problems = [], []
-    for frame in wanted:
-        try:
-            guides.append(files_of_side(options, [pattern.path(frame) for pattern in patterns]))
-        except InputError as error:
-            problems.append(str(error))
-    refuse_all(problems)
-    return FrameFiles(tuple(wanted), guides)
+    wanted = frames_of(options.frames) if options.frames else _all_between(set().union(*found))
+    remedy = "" if options.frames else "; render what is missing, or choose frames with --frames"
+    missing = [
+        _why_missing(pattern.text, there, wanted) + remedy * bool(there)
+        for pattern, there in zip(patterns, found, strict=True)
+        if not there or not set(wanted).issubset(there)
+    ]
+    problems += missing
+    sources = _side(options, [source for source, _ in options.guide], problems)
+    guides = [
+        _side(options, [pattern.path(frame) for pattern in patterns], problems)
+        for frame in wanted
+        if not missing
+    ]
+    return FrameFiles(tuple(wanted), sources, guides)
+
+
+def _side(options, paths, problems) -> list[str]:
+    try:
+        return files_of_side(options, paths)
+    except InputError as error:
+        problems.append(error.sentence)
+        return []
 
 
 def pattern_of(text: str, parameter: str) -> FramePattern:
@@ -79,6 +89,11 @@ def pattern_of(text: str, parameter: str) -> FramePattern:
             parameter=parameter,
         )
     return FramePattern(os.path.expanduser(text))  # no shell does that within quotes
+
+
+def _all_between(frames: Set[int]) -> list[int]:
+    """A number that is missing among those on the disk is no choice, but a frame that failed."""
+    return list(range(min(frames), max(frames) + 1)) if frames else []
 
 
 def _why_missing(text: str, there: Sequence[int], wanted: Sequence[int]) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from stylit_ref.cli.motion_in import check_convention
 from stylit_ref.cli.parser import Parser
 from stylit_ref.errors import InputError
 from stylit_ref.files.colour.bit_depth import to_uint8_by_rows
@@ -13,7 +14,7 @@ from stylit_ref.files.disk.patterns import FramePattern, is_pattern
 from stylit_ref.files.motion_file import read_vectors
 from stylit_ref.files.picture import read_picture
 from stylit_ref.views.motion.check import Verdict, check_motion
-from stylit_ref.views.motion.conventions import AUTO, convention_named
+from stylit_ref.views.motion.conventions import AUTO
 from stylit_ref.views.motion.samples import Sample
 
 MOST_FRAMES = 8
@@ -26,7 +27,7 @@ Find out what the motion vectors of a shot mean: which way is up, which channel 
 whether they lead to the next frame or to the one before. Every convention is tried on the pictures.
 The one along which they differ least is named, for --motion-convention. For instance:
 
-  stylit-ref motion check --guide 'shot/beauty.%%04d.exr' --motion 'shot/vector.%%04d.exr'
+  stylit-ref motion check --guide 'shot/beauty.%04d.exr' --motion 'shot/vector.%04d.exr'
 
 or, for one pair of frames:
 
@@ -65,8 +66,7 @@ def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
 def run(options: argparse.Namespace) -> int:
     """Print what every convention leaves of the pictures' differences, and name the best."""
     wanted = options.motion_convention
-    if wanted != AUTO:
-        _check_name(wanted)
+    check_convention(wanted)
     verdict = check_motion(list(_samples(options.guide, options.motion)))
     for trial in verdict.trials:
         print(f"{trial.error:7.2f}  {trial.convention.name}")
@@ -77,13 +77,6 @@ def run(options: argparse.Namespace) -> int:
     name = verdict.convention.name if wanted == AUTO else _confirmed(wanted, verdict)
     print(f"{name} explains the pictures{'; ' * bool(verdict.why)}{verdict.why}")
     return 0
-
-
-def _check_name(name):
-    try:
-        convention_named(name)
-    except InputError as error:
-        raise InputError(error.sentence, parameter="motion_convention") from None
 
 
 def _confirmed(wanted: str, verdict: Verdict) -> str:

@@ -8,12 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
-from stylit_ref.files.disk.paths import split_layer
+from stylit_ref.files.disk.paths import is_there
 from stylit_ref.files.guides.encoding import labels_of
-from stylit_ref.files.layers.contents import contents_of
-from stylit_ref.files.motion_flo import read_flo
 from stylit_ref.files.picture import read_picture
-from stylit_ref.stylization.checks import size_text
 from stylit_ref.views.file_shot import files_digest
 from stylit_ref.views.frames import Motion
 from stylit_ref.views.motion.between import motion_between
@@ -21,6 +18,15 @@ from stylit_ref.views.motion.conventions import FrameMotion
 from stylit_ref.views.motion.reading import read_motion
 
 Read = TypeVar("Read")
+
+NO_DEPTH = "{}: has {} channels of {}; depth is one channel of floating point"
+NO_IDS = (
+    "{}: holds colours in floating point; IDs are whole numbers, or flat colours of 8 or 16 bits"
+)
+TWO_WAYS = (
+    "{}: leads into the frame before and into the next, and stands for one pair of frames; write a "
+    "file of its own for each direction"
+)
 
 
 @dataclass(frozen=True)
@@ -67,10 +73,15 @@ class VectorsOfFrames:
         return files_digest(self.files, repr((self.to, self.other, self.convention, frames)))
 
     @property
+    def kinds(self) -> tuple[list[str], ...]:
+        """Files of vectors, of depth, and of IDs."""
+        named = self.vectors, self.depth, self.ids
+        return tuple([files[frame] for frame in sorted(files)] for files in named)
+
+    @property
     def files(self) -> list[str]:
         """All of them."""
-        named = self.vectors, self.depth, self.ids
-        return [files[frame] for files in named for frame in sorted(files)]
+        return [path for files in self.kinds for path in files]
 
 
 @dataclass(frozen=True)
@@ -98,10 +109,10 @@ class VectorsOfPair:
         Raises
         ------
         InputError
-            If a file cannot be read.
+            If a file cannot be read, or leads into two frames.
         """
-        ahead = read_motion(self.ahead, self.convention)
-        back = read_motion(self.back, self.convention) if self.back else FrameMotion(None, None)
+        ahead = _one_way(self.ahead, self.convention)
+        back = _one_way(self.back, self.convention) if self.back else FrameMotion(None, None)
         vectors = {
             0: FrameMotion(ahead.forward or ahead.backward, None, ahead.tells_visible),
             1: FrameMotion(None, back.forward or back.backward, back.tells_visible),
@@ -119,54 +130,60 @@ class VectorsOfPair:
         return files_digest(self.files, repr((self.convention, bool(self.back), bool(self.depth))))
 
     @property
+    def kinds(self) -> tuple[list[str], ...]:
+        """Files of vectors, of depth, and of IDs."""
+        vectors = [self.ahead, self.back] if self.back else [self.ahead]
+        return vectors, [*(self.depth or ())], [*(self.ids or ())]
+
+    @property
     def files(self) -> list[str]:
         """All of them."""
-        beside = *(self.depth or ()), *(self.ids or ())
-        return [path for path in (self.ahead, self.back, *beside) if path]
+        return [path for files in self.kinds for path in files]
 
 
 MotionFiles = VectorsOfFrames | VectorsOfPair
 """Where the motion of a pair of frames comes from."""
 
 
-def check_motion_files(motion: Iterable[MotionFiles], size: tuple[int, int]) -> list[str]:
-    """What keeps motion from being used, before it is.
-
-    Of all files the size is looked at, and the first pair is read whole.
+def vectors_of_pairs(
+    pairs: Iterable[tuple[int, int]],
+    path_of: Callable[[int, int], str],
+    convention: str,
+    depth: Mapping[int, str],
+    ids: Mapping[int, str],
+) -> dict[tuple[int, int], VectorsOfPair]:
+    """The files of pairs of frames; one that leads back helps to see what is hidden.
 
     Parameters
     ----------
-    motion : iterable of MotionFiles
-    size : tuple of 2 int
-        Rows and columns of the frames.
+    pairs : iterable of (int, int)
+        Places of two frames.
+    path_of : callable
+        The file that leads from the frame of one place to that of another.
+    convention : str
+    depth, ids : mappings of int to str
+        By the place of a frame; empty where there are none.
 
     Returns
     -------
-    list of str
-        A sentence each.
+    dict
+        By the pair.
     """
-    motion, problems = list(motion), []
-    for path in dict.fromkeys(path for each in motion for path in each.files):
-        try:
-            found = _size_of(path)
-        except InputError as error:
-            problems.append(str(error))
-            continue
-        if found != size:
-            problems.append(
-                f"{path}: is {size_text(found)} but the frames are {size_text(size)}; all must "
-                "have the same size"
-            )
-    if motion and not problems:
-        motion[0].read()
-    return problems
+    found = {}
+    for to, other in pairs:
+        back = path_of(other, to)
+        beside = [(files[to], files[other]) if files else None for files in (depth, ids)]
+        found[to, other] = VectorsOfPair(
+            path_of(to, other), back if is_there(back) else None, convention, *beside
+        )
+    return found
 
 
-def _size_of(path):
-    file, _ = split_layer(path)
-    if file.suffix.lower() == ".flo":
-        return read_flo(file).shape[:2]
-    return contents_of(file).layers[0].size
+def _one_way(path, convention):
+    motion = read_motion(path, convention)
+    if motion.forward and motion.backward:
+        raise InputError(TWO_WAYS.format(path))
+    return motion
 
 
 def _reading(files: Mapping[int, str], read: Callable[[str], Read]) -> Callable[[int], Read | None]:
@@ -184,10 +201,7 @@ def read_depth(path: str) -> NDArray[np.float32]:
     """
     depth = read_picture(path, is_guide=True).colours
     if depth.dtype != np.float32 or depth.shape[2] > 1:
-        raise InputError(
-            f"{path}: has {depth.shape[2]} channels of {depth.dtype}; depth is one channel of "
-            "floating point"
-        )
+        raise InputError(NO_DEPTH.format(path, depth.shape[2], depth.dtype))
     return depth[:, :, 0]
 
 
@@ -204,8 +218,5 @@ def read_ids(path: str) -> NDArray[np.int64]:
     if colours.shape[2] == 1:
         return labels_of(picture)
     if colours.dtype == np.float32:
-        raise InputError(
-            f"{path}: holds colours in floating point; IDs are whole numbers, or flat colours of "
-            "8 or 16 bits"
-        )
+        raise InputError(NO_IDS.format(path))
     return colours.astype(np.int64) @ (1 << 16 * np.arange(colours.shape[2], dtype=np.int64))

@@ -1,15 +1,14 @@
 """Options that name the motion between the frames of a sequence, and the files they lead to."""
 
 import argparse
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from stylit_ref.cli.frame_files import counted, pattern_of
-from stylit_ref.cli.motion_files import MotionFiles, VectorsOfFrames, VectorsOfPair
-from stylit_ref.cli.shot_in import refuse_missing
+from stylit_ref.cli.motion_files import MotionFiles, VectorsOfFrames, vectors_of_pairs
+from stylit_ref.cli.shot_in import missing_files
 from stylit_ref.errors import InputError
-from stylit_ref.files.disk.paths import is_there
 from stylit_ref.files.disk.patterns import FramePattern
-from stylit_ref.files.motion_file import read_vectors
+from stylit_ref.files.motion_file import look_at_vectors
 from stylit_ref.views.frames import sequence_pairs
 from stylit_ref.views.motion.conventions import (
     AUTO,
@@ -51,8 +50,8 @@ def add_motion_options(group: argparse._ArgumentGroup) -> None:
 
 
 def find_motion(
-    options: argparse.Namespace, frames: Sequence[int], order: str
-) -> dict[tuple[int, int], MotionFiles]:
+    options: argparse.Namespace, frames: Sequence[int], order: str, problems: list[str]
+) -> Mapping[tuple[int, int], MotionFiles]:
     """The files that tell the motion between neighbouring frames.
 
     Parameters
@@ -62,6 +61,8 @@ def find_motion(
         Their numbers, in ascending order.
     order : str
         Of :class:`stylit_ref.Coherence`; in a sequential one no frame heeds a later one.
+    problems : list of str
+        What is missing is added to it, a sentence each.
 
     Returns
     -------
@@ -71,7 +72,7 @@ def find_motion(
     Raises
     ------
     InputError
-        If files are missing, which are all named, or nothing tells their convention.
+        If an option cannot be used.
     """
     if not options.motion:
         for name in ("motion_convention", *_BESIDE):
@@ -79,20 +80,26 @@ def find_motion(
                 raise InputError("is of use with --motion alone; leave it out", parameter=name)
         return {}
     pattern = pattern_of(options.motion, "motion")
-    if options.motion_convention != AUTO:
-        _check_convention(options.motion_convention)
-    if len(frames) == 1:
+    check_convention(options.motion_convention)
+    if len(frames) < 2:
         return {}
-    beside = [_beside(options, name, frames) for name in _BESIDE]
+    beside = [_beside(options, name, frames, problems) for name in _BESIDE]
     pairs = [
         (to, other)
         for to, other in sequence_pairs(len(frames))
         if other < to or order != SEQUENTIAL
     ]
     if pattern.names_pairs:
-        numbers = {(to, other): (frames[to], frames[other]) for to, other in pairs}
-        return _of_pairs(pattern, numbers, options.motion_convention, *beside)
-    vectors = _of_frames(pattern, frames, options.motion_convention)
+
+        def path_of(to, other):
+            return pattern.path_of_pair(frames[to], frames[other])
+
+        problems += missing_files(path_of(*pair) for pair in pairs)
+        by_place = [
+            {place: files[frame] for place, frame in enumerate(frames) if files} for files in beside
+        ]
+        return vectors_of_pairs(pairs, path_of, options.motion_convention, *by_place)
+    vectors = _of_frames(pattern, frames, options.motion_convention, problems)
     found = {}
     for to, other in pairs:
         passed = range(min(frames[to], frames[other]), max(frames[to], frames[other]) + 1)
@@ -106,43 +113,52 @@ def find_motion(
     return found
 
 
-def _of_pairs(pattern, numbers, convention, depth, ids):
-    """A file for each pair; what leads back helps to see what is hidden."""
-    files = {pair: pattern.path_of_pair(*both) for pair, both in numbers.items()}
-    refuse_missing(files.values())
-    found = {}
-    for pair, path in files.items():
-        first, second = numbers[pair]
-        back = pattern.path_of_pair(second, first)
-        beside = [(named[first], named[second]) if named else None for named in (depth, ids)]
-        found[pair] = VectorsOfPair(path, back if is_there(back) else None, convention, *beside)
-    return found
+def check_convention(name: str) -> None:
+    """Refuse a convention that ``--motion-convention`` cannot name.
+
+    Raises
+    ------
+    InputError
+    """
+    if name == AUTO:
+        return
+    try:
+        convention_named(name)
+    except InputError as error:
+        raise InputError(error.sentence, parameter="motion_convention") from None
 
 
-def _of_frames(pattern: FramePattern, frames: Sequence[int], convention: str) -> dict[int, str]:
+def _of_frames(pattern: FramePattern, frames, convention, problems) -> dict[int, str]:
     """The files of all frames from the first to the last, those that are left out among them."""
     there = {frame: pattern.path(frame) for frame in pattern.frames()}
     if not there:
-        raise InputError(f"{pattern.text}: there is no file of such a name", parameter="motion")
-    if convention == AUTO:
-        first = next(iter(there.values()))
-        leads = convention_of(read_vectors(first), first).leads
-    else:
-        leads = convention_named(convention).leads
-    steps = {lead.step for lead in leads}
+        problems.append(f"{pattern.text}: there is no file of such a name")
+        return {}
+    try:
+        steps = _steps(convention, next(iter(there.values())))
+    except InputError as error:
+        problems.append(error.sentence)
+        return {}
     passed = range(frames[0], frames[-1] + 1)
     needed = passed[1:] if steps == {BEFORE} else passed[:-1] if steps == {NEXT} else passed
     missing = [frame for frame in needed if frame not in there]
     if missing:
         left_out = set(missing).isdisjoint(frames)
         why = "; the motion is followed through the frames that --frames leaves out" * left_out
-        raise InputError(
-            f"{pattern.text}: there is no file for {counted(missing)}{why}", parameter="motion"
-        )
+        problems.append(f"{pattern.text}: there is no file for {counted(missing)}{why}")
     return {frame: there[frame] for frame in passed if frame in there}
 
 
-def _beside(options, name, frames) -> dict[int, str]:
+def _steps(convention: str, first: str) -> set[int]:
+    """Where vectors lead: to the next frame, to the one before, or to both."""
+    if convention == AUTO:
+        known = convention_of(look_at_vectors(first), first)
+    else:
+        known = convention_named(convention)
+    return {lead.step for lead in known.leads}
+
+
+def _beside(options, name, frames, problems) -> dict[int, str]:
     """The files of ``--depth`` or ``--ids``."""
     text = getattr(options, name)
     if not text:
@@ -151,12 +167,6 @@ def _beside(options, name, frames) -> dict[int, str]:
     there = pattern.frames()
     missing = [frame for frame in frames if frame not in there]
     if missing:
-        raise InputError(f"{text}: there is no file for {counted(missing)}", parameter=name)
+        problems.append(f"{text}: there is no file for {counted(missing)}")
+        return {}
     return {frame: pattern.path(frame) for frame in there}
-
-
-def _check_convention(name):
-    try:
-        convention_named(name)
-    except InputError as error:
-        raise InputError(error.sentence, parameter="motion_convention") from None

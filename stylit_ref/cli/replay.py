@@ -27,7 +27,7 @@ or enlarged. The run must have written with --nnf where every pixel came from. F
 The file knows the patch width, the mask and the sizes of its run. Of what 'sequence' or 'views'
 wrote with --run, all frames follow:
 
-  stylit-ref replay --run build/run --style oil.png --output 'oil.%%04d.png'"""
+  stylit-ref replay --run build/run --style oil.png --output 'oil.%04d.png'"""
 
 
 def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:

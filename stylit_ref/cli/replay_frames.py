@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from time import perf_counter
 
 from stylit_ref.cli.deep_images import holds_bits_of
+from stylit_ref.cli.finished import counted_frames
 from stylit_ref.cli.frame_files import pattern_of
 from stylit_ref.cli.progress_line import ProgressLine
 from stylit_ref.cli.views_manifest import VIEW
@@ -34,7 +35,7 @@ def replay_frames(options: argparse.Namespace) -> None:
             raise InputError("is not for --run, which has none; leave it out", parameter=name)
     run, style = Run(options.run), read_image(options.style)
     outputs = _outputs(options.output, run.names)
-    check_distinct(outputs, [options.style])
+    check_distinct(outputs, [options.style, *run.files])
     for output in outputs:
         check_image_writable(output, style.shape[2])
     holds_bits_of(style, outputs[0], style.shape[2])
@@ -47,7 +48,7 @@ def replay_frames(options: argparse.Namespace) -> None:
             line.wrote(output, done, len(outputs))
     if not options.quiet:
         seconds = perf_counter() - start
-        print(f"wrote {len(outputs)} frames in {seconds:.1f} s", file=sys.stderr)
+        print(f"wrote {counted_frames(len(outputs))} in {seconds:.1f} s", file=sys.stderr)
 
 
 def _outputs(text: str, names: Sequence[str]) -> list[str]:

@@ -3,12 +3,12 @@
 import argparse
 
 from stylit_ref.cli.frame_files import find_frames, pattern_of
-from stylit_ref.cli.guide_options import add_guide_options, files_of_side
+from stylit_ref.cli.guide_options import add_guide_options
 from stylit_ref.cli.images_in import add_style_option
 from stylit_ref.cli.method_options import chosen_params
 from stylit_ref.cli.motion_in import add_motion_options, find_motion
 from stylit_ref.cli.parser import Parser
-from stylit_ref.cli.shot_in import ShotFiles
+from stylit_ref.cli.shot_in import ShotFiles, missing_files, refuse_all
 from stylit_ref.cli.shot_options import add_other_outputs, add_shot_options, chosen_coherence
 from stylit_ref.cli.stylize_shot import stylize_shot
 from stylit_ref.views.params import SEQUENCE
@@ -23,11 +23,11 @@ Stylize the frames of an animation. Motion vectors tell where each point was in 
 and strokes move with it. For instance, with the passes of Blender:
 
   stylit-ref sequence --preset fast --style painted_sphere.png \\
-      --guide sphere.exr 'shot/scene.%%04d.exr' --guide-layers Combined,DiffDir,IndexOB \\
-      --motion 'shot/scene.%%04d.exr' --motion-convention blender \\
-      --frames 1-100 --output 'out/scene.%%04d.png' --work build/work
+      --guide sphere.exr 'shot/scene.%04d.exr' --guide-layers Combined,DiffDir,IndexOB \\
+      --motion 'shot/scene.%04d.exr' --motion-convention blender \\
+      --frames 1-100 --output 'out/scene.%04d.png' --work build/work
 
-FRAMES is a name in quotes with %%04d, #### or $F4 where the number of the frame stands; the folder
+FRAMES is a name in quotes with %04d, #### or $F4 where the number of the frame stands; the folder
 may have one too. Without --motion every frame is stylized by itself, and strokes flicker."""
 
 _ALONE = (
@@ -70,14 +70,17 @@ def run(options: argparse.Namespace) -> None:
         pattern_of(text, name) if text else None
         for name, text in (("output", options.output), ("nnf", options.nnf))
     ]
-    found = find_frames(options)
+    problems: list[str] = []
+    found = find_frames(options, problems)
+    motion = find_motion(options, found.frames, coherence.order, problems)
+    refuse_all([*problems, *missing_files([options.style, *found.source_guides])])
     digits = len(str(found.frames[-1]))
     files = ShotFiles(
         options.style,
-        files_of_side(options, [source for source, _ in options.guide]),
+        found.source_guides,
         [str(frame).zfill(digits) for frame in found.frames],
         found.guides,
-        find_motion(options, found.frames, coherence.order),
+        motion,
     )
     pictures, fields = (
         [pattern.path(frame) for frame in found.frames] if pattern else [] for pattern in outputs

@@ -2,13 +2,15 @@
 
 import argparse
 from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from stylit_ref.cli.guide_options import guide_encoding
-from stylit_ref.cli.motion_files import MotionFiles, check_motion_files
+from stylit_ref.cli.motion_files import MotionFiles
+from stylit_ref.cli.motion_look import check_motion_files
 from stylit_ref.cli.progress_line import ProgressLine
 from stylit_ref.errors import InputError
 from stylit_ref.files.disk.paths import is_there
@@ -129,19 +131,13 @@ def refuse_all(problems: Sequence[str]) -> None:
         raise InputError("; ".join(problems[:_SHOWN]) + others)
 
 
-def refuse_missing(paths: Iterable[str]) -> None:
-    """Refuse files that do not exist, all in one sentence.
-
-    Raises
-    ------
-    InputError
-    """
-    missing = [path for path in dict.fromkeys(paths) if not is_there(path)]
+def missing_files(paths: Iterable[str]) -> list[str]:
+    """A sentence that names those that do not exist; none if all do."""
+    missing = [path for path in dict.fromkeys(paths) if not (is_there(path) or Path(path).is_dir())]
     if len(missing) > 1:
         more = f" and {len(missing) - _SHOWN} more" if len(missing) > _SHOWN else ""
-        raise InputError(f"no such files: {', '.join(missing[:_SHOWN])}{more}")
-    if missing:
-        raise InputError(f"{missing[0]}: no such file")
+        return [f"no such files: {', '.join(missing[:_SHOWN])}{more}"]
+    return [f"{path}: no such file" for path in missing]
 
 
 def _encodings(options, guides) -> Sequence[str] | Sequence[GuideEncoding]:
@@ -166,11 +162,12 @@ def _look_at_all(files, needs_values, line) -> list[list[GuideLook]]:
                 looks.append(look_at(path, needs_values=needs_values))
             except InputError as error:
                 problems.append(str(error))
-    refuse_all(problems)
     guides = len(files.source_guides)
     by_guide = [looks[number::guides] for number in range(guides)]
-    problems = list(_misfits(files, by_guide))
-    refuse_all([*problems, *check_motion_files(files.motion.values(), by_guide[0][1].size)])
+    size = None if problems else by_guide[0][1].size
+    if not problems:
+        problems += _misfits(files, by_guide)
+    refuse_all([*problems, *check_motion_files(files.motion.values(), size)])
     return by_guide
 
 

@@ -2,6 +2,7 @@
 
 import argparse
 from collections.abc import Sequence
+from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
@@ -18,6 +19,7 @@ from stylit_ref.files.write_image import check_image_writable, write_image
 from stylit_ref.stylization.params import Params
 from stylit_ref.stylization.replaying import replay
 from stylit_ref.views.frame_result import FrameResult
+from stylit_ref.views.run_files import files_of_run, files_to_replace
 
 
 class ShotOut(NamedTuple):
@@ -99,7 +101,8 @@ def check_shot_outputs(
     guides = {path for side in files.guides for path in side}
     motion = {path for source in files.motion.values() for path in source.files}
     check_distinct(
-        [*pictures, *fields], [files.style, earlier, *files.source_guides, *guides, *motion]
+        [*pictures, *fields, *_files_of_run(options, shot)],
+        [files.style, earlier, *files.source_guides, *guides, *motion],
     )
     deep_style = shot.deep_style
     if deep_style is not None and not holds_bits_of(deep_style, pictures[0], channels):
@@ -113,3 +116,11 @@ def check_shot_outputs(
         read_colour_profile(files.style),
         deep_style,
     )
+
+
+def _files_of_run(options, shot) -> set[Path]:
+    """What ``--run`` writes, and what it removes of a RUN that is there."""
+    if not options.run:
+        return set()
+    files = files_of_run(shot.shot.names, shot.shot.pairs, shot.style, shot.source_guides)
+    return {*files_to_replace(options.run), *(Path(options.run, name) for name in files.names)}

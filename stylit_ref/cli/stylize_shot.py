@@ -5,6 +5,7 @@ import sys
 from collections.abc import Sequence
 from time import perf_counter
 
+from stylit_ref.cli.finished import counted_frames
 from stylit_ref.cli.progress_line import ProgressLine
 from stylit_ref.cli.shot_in import ShotFiles, read_shot
 from stylit_ref.cli.shot_out import check_shot_outputs
@@ -17,6 +18,8 @@ from stylit_ref.views.problem import make_problem
 from stylit_ref.views.run_writer import RunWriter
 from stylit_ref.views.stylize_views import stylize_views
 from stylit_ref.views.warm_up import kernels_of_frames
+
+_UNUSED = "--coherence is 0, so the motion is not used; with a larger number strokes move along"
 
 
 def stylize_shot(
@@ -58,10 +61,10 @@ def stylize_shot(
 
         shot = read_shot(options, files, line)
         outputs = check_shot_outputs(options, files, shot, params, pictures, fields)
-        for folder in filter(None, (options.work, options.run)):
-            check_folder(folder)
+        if options.work:
+            check_folder(options.work)
         if not coherence.weight:
-            note(alone)
+            note(alone if options.weight is None else _UNUSED)
         channels = shot.style.shape[2], shot.shot.channels
         line.compile(lambda: kernels_of_frames(params, coherence, *channels))
         writer = _run_writer(options, files, shot, params, coherence) if options.run else None
@@ -116,9 +119,10 @@ def _how_to_go_on(work, done, count):
 def _tell_finished(pictures, shot, found, seconds):
     height, width = shot.shot.size
     last = f" to {pictures[-1]}" if len(pictures) > 1 else ""
-    kept = f"; {found} of them were finished before" if found else ""
+    were = "was" if found == 1 else "were"
+    kept = f"; {found} of them {were} finished before" if found else ""
     print(
-        f"wrote {len(pictures)} frames, {pictures[0]}{last} ({width}x{height}), in "
+        f"wrote {counted_frames(len(pictures))}, {pictures[0]}{last} ({width}x{height}), in "
         f"{seconds:.1f} s{kept}",
         file=sys.stderr,
     )

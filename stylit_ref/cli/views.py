@@ -5,14 +5,13 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from stylit_ref.cli.method_options import chosen_params
-from stylit_ref.cli.motion_files import VectorsOfPair
+from stylit_ref.cli.motion_files import VectorsOfPair, vectors_of_pairs
 from stylit_ref.cli.parser import Parser
-from stylit_ref.cli.shot_in import ShotFiles, refuse_missing
+from stylit_ref.cli.shot_in import ShotFiles, missing_files, refuse_all
 from stylit_ref.cli.shot_options import add_other_outputs, add_shot_options, chosen_coherence
 from stylit_ref.cli.stylize_shot import stylize_shot
 from stylit_ref.cli.views_manifest import OTHER, VIEW, Manifest, read_manifest
 from stylit_ref.errors import InputError
-from stylit_ref.files.disk.paths import is_there
 from stylit_ref.views.params import Coherence
 
 _USAGE = "%(prog)s --manifest FILE.json --output '{view}.png' [options]"
@@ -59,10 +58,12 @@ def run(options: argparse.Namespace) -> None:
     coherence = chosen_coherence(options, default, "motion in the manifest")
     guides = [[guide.replace(VIEW, view) for guide in manifest.guides] for view in manifest.views]
     motion = _motion(manifest)
-    paths = [*manifest.source_guides, *(path for side in guides for path in side)]
-    refuse_missing([*paths, *(path for vectors in motion.values() for path in vectors.files)])
+    style = options.style or manifest.style
+    paths = [style, *manifest.source_guides, *(path for side in guides for path in side)]
+    paths += [path for vectors in motion.values() for path in vectors.files]
+    refuse_all(missing_files(paths))
     files = ShotFiles(
-        options.style or manifest.style, manifest.source_guides, manifest.views, guides, motion,
+        style, manifest.source_guides, manifest.views, guides, motion,
         manifest.grid, manifest.cameras,
     )  # fmt: skip
     pictures, fields = (
@@ -75,19 +76,17 @@ def run(options: argparse.Namespace) -> None:
 def _motion(manifest: Manifest) -> dict[tuple[int, int], VectorsOfPair]:
     if manifest.motion is None:
         return {}
-    found = {}
-    for pair in manifest.pairs:
-        to, other = (manifest.views[place] for place in pair)
-        ahead = manifest.motion.replace(VIEW, to).replace(OTHER, other)
-        back = manifest.motion.replace(VIEW, other).replace(OTHER, to)
-        beside = [
-            (text.replace(VIEW, to), text.replace(VIEW, other)) if text else None
-            for text in (manifest.depth, manifest.ids)
-        ]
-        found[pair] = VectorsOfPair(
-            ahead, back if is_there(back) else None, manifest.motion_convention, *beside
-        )
-    return found
+    views, motion = manifest.views, manifest.motion
+    beside = [
+        {place: text.replace(VIEW, view) for place, view in enumerate(views) if text}
+        for text in (manifest.depth or "", manifest.ids or "")
+    ]
+    return vectors_of_pairs(
+        manifest.pairs,
+        lambda to, other: motion.replace(VIEW, views[to]).replace(OTHER, views[other]),
+        manifest.motion_convention,
+        *beside,
+    )
 
 
 def _outputs(text: str, parameter: str, views: Sequence[str]) -> list[str]:

@@ -36,27 +36,50 @@ def read_flo(path: str | Path) -> NDArray[np.float32]:
     InputError
         If the file is missing, is no ``.flo`` file, or is shorter or longer than its header says.
     """
+    height, width = size_of_flo(path)
+    try:
+        values = np.frombuffer(Path(path).read_bytes(), "<f4", offset=_HEADER)
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
+    return values.reshape(height, width, 2).astype(np.float32)
+
+
+def size_of_flo(path: str | Path) -> tuple[int, int]:
+    """Read the header of a ``.flo`` file.
+
+    Parameters
+    ----------
+    path : str or Path
+
+    Returns
+    -------
+    tuple of 2 int
+        Rows and columns.
+
+    Raises
+    ------
+    InputError
+        As :func:`read_flo`.
+    """
     file = existing_file(path)
     check_regular(file)
     try:
         with file.open("rb") as stream:
             header = stream.read(_HEADER)
-            size = file.stat().st_size
-            if len(header) < _HEADER or header[:4] != MARK:
-                raise InputError(f"{path}: is no .flo file: it does not begin with PIEH")
-            width, height = (int(value) for value in np.frombuffer(header[4:], "<i4"))
-            if width < 1 or height < 1 or 2 * width * height > LARGEST_IMAGE:
-                raise InputError(f"{path}: declares {width}x{height} pixels; its header is broken")
-            needed = _HEADER + 8 * width * height
-            if size != needed:
-                raise InputError(
-                    f"{path}: has {size} bytes, and {width}x{height} pixels need {needed}; write "
-                    "it again"
-                )
-            values = np.frombuffer(stream.read(), "<f4")
+        size = file.stat().st_size
     except OSError as error:
         raise InputError(f"{path}: cannot be read: {error.strerror}") from None
-    return values.reshape(height, width, 2).astype(np.float32)
+    if len(header) < _HEADER or header[:4] != MARK:
+        raise InputError(f"{path}: is no .flo file: it does not begin with PIEH")
+    width, height = (int(value) for value in np.frombuffer(header[4:], "<i4"))
+    if width < 1 or height < 1 or 2 * width * height > LARGEST_IMAGE:
+        raise InputError(f"{path}: declares {width}x{height} pixels; its header is broken")
+    needed = _HEADER + 8 * width * height
+    if size != needed:
+        raise InputError(
+            f"{path}: has {size} bytes, and {width}x{height} pixels need {needed}; write it again"
+        )
+    return height, width
 
 
 def write_flo(path: str | Path, vectors: NDArray[np.float32]) -> None:

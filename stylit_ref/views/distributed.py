@@ -76,14 +76,15 @@ def do_on_cluster(job: Job, scheduler: str, missing: Sequence[Task]) -> Iterator
     """
     plan, run = job.problem.plan(), secrets.token_hex(4)
     with _client(scheduler) as client:
-        from dask.distributed import as_completed
+        from dask.distributed import KilledWorker, as_completed
 
+        waits = plan.waits(missing)
         everywhere = client.scatter(job, broadcast=True, hash=False)
         futures: dict[Task, Any] = {}
         bundles: dict[Any, list[Task]] = {}
         for bundle in _bundles(plan, missing):
-            reads = {read for task in bundle for read in plan.reads(task)}
-            after = {futures[read] for read in reads & futures.keys()}
+            first = {each for task in bundle for each in waits[task]}
+            after = {futures[each] for each in first & futures.keys()}
             future = client.submit(
                 _do, everywhere, bundle, list(after),
                 key=f"state-{job.keys[bundle[-1]]}-{run}", retries=RETRIES,
@@ -95,6 +96,12 @@ def do_on_cluster(job: Job, scheduler: str, missing: Sequence[Task]) -> Iterator
                 if not future.result():
                     return
                 yield from bundles[future]
+        except KilledWorker:
+            raise InputError(
+                f"{scheduler} lost its machines again and again, perhaps for want of memory; take "
+                "larger ones, or fewer processes on each",
+                parameter="scheduler",
+            ) from None
         except CancelledError:  # the last machine that knew the job is gone: tell the others anew
             return
         finally:
@@ -125,7 +132,7 @@ def _do(job: Job, bundle: Sequence[Task], after: Sequence[bool]) -> bool:
 
 @lru_cache(maxsize=1)
 def _walk(job):
-    if job.code != code_key():
+    if job.code != code_key(job.problem.shot):
         raise InputError("a machine of the cluster runs other code; install the same on all")
     return Walk(job.problem, WorkFolder(job.folder), Workbench(job.problem), job.keys, job.threads)
 
@@ -142,6 +149,14 @@ def _client(scheduler):
         client = Client(scheduler, timeout=PATIENCE)
     except (OSError, ValueError) as error:
         raise InputError(f"{scheduler} does not answer: {error}", parameter="scheduler") from None
+    try:
+        client.wait_for_workers(1, timeout=PATIENCE)
+    except TimeoutError:
+        client.close()
+        raise InputError(
+            f"{scheduler} has no workers; start some with 'dask worker {scheduler}'",
+            parameter="scheduler",
+        ) from None
     try:
         yield client
     finally:

@@ -1,6 +1,7 @@
 """A shot on the disk: paths, and how their values become guides and motion."""
 
 import hashlib
+import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
@@ -14,6 +15,7 @@ from stylit_ref.errors import InputError
 from stylit_ref.files.disk.paths import split_layer
 from stylit_ref.files.guides.encoding import GuideEncoding
 from stylit_ref.files.picture import read_picture
+from stylit_ref.machine.code_digest import code_digest
 from stylit_ref.stylization.checks import size_text
 from stylit_ref.views.frames import Motion
 
@@ -62,6 +64,12 @@ class FileShot:
     def pairs(self) -> Sequence[tuple[int, int]]:
         """The pairs with motion."""
         return tuple(self.motion_sources)
+
+    @property
+    def code(self) -> str:
+        """A digest of the code that reads files: this module and those of the motion's sources."""
+        sources = {type(source).__module__ for source in self.motion_sources.values()}
+        return code_digest(__file__, *(sys.modules[name] for name in sorted(sources)))
 
     def guides(self, frame: int) -> Sequence[NDArray[np.uint8]]:
         """Read the guides of a frame.

@@ -7,12 +7,12 @@ from stylit_ref.machine.code_digest import code_digest
 from stylit_ref.views import workbench
 from stylit_ref.views.plan import Plan, Task
 from stylit_ref.views.problem import Problem
-from stylit_ref.views.shot import arrays_digest
+from stylit_ref.views.shot import Shot, arrays_digest
 
 
-def code_key() -> str:
-    """A digest of the code that makes states."""
-    return code_digest(workbench)
+def code_key(shot: Shot) -> str:
+    """A digest of the code that makes states, and of that which reads the shot."""
+    return _digest(code_digest(workbench), shot.code)
 
 
 def keys_of(problem: Problem, plan: Plan) -> Mapping[Task, str]:
@@ -35,7 +35,7 @@ def keys_of(problem: Problem, plan: Plan) -> Mapping[Task, str]:
     """
     shot, coherence = problem.shot, problem.coherence
     common = (
-        code_key(),
+        code_key(shot),
         arrays_digest(problem.style, *problem.source_guides),
         repr((problem.params, problem.seed)),
     )

@@ -1,6 +1,6 @@
 """The order of work: which state of a frame is made of which others."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from stylit_ref.views.params import PARALLEL, SEQUENTIAL, SWEEPS
@@ -96,6 +96,27 @@ class Plan:
         """All tasks whose states this one reads."""
         before = self.before(task)
         return self.pulling(task) + ([] if before is None else [before])
+
+    def removed_by(self, task: Task) -> Task | None:
+        """The task whose state nobody needs any more when this one is done, if there is one."""
+        before = self.before(task)
+        return before and self.before(before)
+
+    def waits(self, tasks: Iterable[Task]) -> dict[Task, set[Task]]:
+        """For each of some tasks those that it waits for where several are done at a time.
+
+        They are the tasks that it reads, and the readers of the state that goes when it is done: a
+        frame may pull at one that does not pull at it.
+        """
+        tasks = list(tasks)
+        readers: dict[Task | None, set[Task]] = {}
+        for task in tasks:
+            for read in self.reads(task):
+                readers.setdefault(read, set()).add(task)
+        return {
+            task: {*self.reads(task), *readers.get(self.removed_by(task), ())} - {task}
+            for task in tasks
+        }
 
     def missing(self, has: Callable[[Task], bool]) -> list[Task]:
         """The tasks to do until all frames are finished, in their order.

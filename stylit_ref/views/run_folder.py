@@ -106,6 +106,12 @@ class Run:
                 f"{file}: lacks facts of a RUN, or holds wrong ones: {error}"
             ) from None
 
+    @property
+    def files(self) -> list[Path]:
+        """All files of the RUN that are there."""
+        named = [self.folder / name for name in (RUN_FILE, *self.facts.get("digests", {}))]
+        return [file for file in named if file.is_file()]
+
     def style(self) -> NDArray[np.uint8]:
         """The style, (H_A, W_A, n) uint8."""
         return self._image(self._fact("style"))
@@ -115,19 +121,49 @@ class Run:
         return [self._image(file) for file in self._fact("source_guides")]
 
     def picture(self, frame: int) -> NDArray[np.uint8]:
-        """The picture of a frame, (H_B, W_B, n) uint8."""
-        return read_uint8(self._file(self._fact("frames", frame, "picture")))
+        """The picture of a frame, (H_B, W_B, n) uint8.
+
+        Raises
+        ------
+        InputError
+            If there is no such frame, or its file is damaged.
+        """
+        return read_uint8(self._file(self._of_frame(frame, "picture")))
 
     def field(self, frame: int) -> Field:
-        """The nearest-neighbour field of a frame."""
-        return read_nnf(self._file(self._fact("frames", frame, "nnf")))
+        """The nearest-neighbour field of a frame.
+
+        Raises
+        ------
+        InputError
+            If there is no such frame, or its file is damaged.
+        """
+        return read_nnf(self._file(self._of_frame(frame, "nnf")))
 
     def motion(self, to: int, other: int) -> Motion:
-        """The motion of a pair."""
+        """The motion of a pair.
+
+        Raises
+        ------
+        InputError
+            If there is none, or its file is damaged.
+        """
+        if (to, other) not in self.pairs:
+            raise InputError(
+                f"{self.folder}: has no motion from frame {to} into frame {other}; its pairs are "
+                f"{', '.join(map(str, self.pairs)) or 'none'}"
+            )
         edge = self._fact("motion", self.pairs.index((to, other)))
         return read_arrays(
             self._file(edge["file"]), lambda field, rest: Motion(field, rest[0].astype(bool))
         )
+
+    def _of_frame(self, frame, what):
+        if not 0 <= frame < len(self.names):
+            raise InputError(
+                f"{self.folder}: has no frame {frame}; its frames are 0 to {len(self.names) - 1}"
+            )
+        return self._fact("frames", frame, what)
 
     def _image(self, name):
         file = self._file(name)

@@ -1,7 +1,6 @@
 """Write a RUN (:mod:`stylit_ref.views.run_folder`) as frames finish."""
 
 import json
-import re
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from pathlib import Path
@@ -9,7 +8,6 @@ from typing import Any
 
 from stylit_ref.errors import InputError
 from stylit_ref.files.colour.profile import ColourProfile
-from stylit_ref.files.disk.paths import check_folder
 from stylit_ref.files.disk.whole_file import write_text
 from stylit_ref.files.field import Field
 from stylit_ref.files.guides.encoding import GuideEncoding
@@ -18,6 +16,7 @@ from stylit_ref.files.npy_file import write_arrays
 from stylit_ref.files.write_image import write_image
 from stylit_ref.views.frame_result import FrameResult
 from stylit_ref.views.problem import Problem
+from stylit_ref.views.run_files import UNFINISHED_FILE, begin_run, files_of_run
 from stylit_ref.views.run_folder import CONVENTION, RUN_FILE, SCHEMA, VERSION, Run, digest_of
 
 
@@ -27,7 +26,7 @@ class RunWriter:
     Parameters
     ----------
     folder : str or Path
-        It is made if it does not exist; a RUN in it is replaced.
+        It is made if it does not exist; the files of a RUN in it are removed.
     problem : Problem
     encodings : sequence of GuideEncoding
         How the guides became 8 bits.
@@ -41,7 +40,7 @@ class RunWriter:
     Raises
     ------
     InputError
-        If the folder cannot be written.
+        If the folder cannot be written, or holds something and is no RUN.
     """
 
     folder: Path
@@ -56,39 +55,41 @@ class RunWriter:
         cameras: Sequence[Mapping[str, Any]] | None = None,
         profile: ColourProfile | None = None,
     ) -> None:
-        check_folder(folder)
         self.folder = Path(folder)
-        (self.folder / RUN_FILE).unlink(missing_ok=True)  # the old one's files are overwritten
         self._problem, self._encodings, self._profile = problem, tuple(encodings), profile
-        self._names = _file_names(problem.shot.names)
+        shot = problem.shot
+        self._files = files_of_run(shot.names, shot.pairs, problem.style, problem.source_guides)
+        begin_run(self.folder, self._files)
         self._digests: dict[str, str] = {}
         self._facts: dict[str, Any] = {
             "schema": SCHEMA,
             "version": VERSION,
             "convention": CONVENTION,
-            "size": list(problem.shot.size),
+            "size": list(shot.size),
             "grid": None if grid is None else list(grid),
             "params": asdict(problem.params),
             "coherence": asdict(problem.coherence),
             "seed": int(problem.seed),
-            "style": self._image("style", problem.style),
+            "style": self._image(self._files.style, problem.style),
             "source_guides": [
-                self._image(f"source_guides/{k}", guide)
-                for k, guide in enumerate(problem.source_guides)
+                self._image(file, guide)
+                for file, guide in zip(
+                    self._files.source_guides, problem.source_guides, strict=True
+                )
             ],
             "guide_encodings": [encoding.to_dict() for encoding in self._encodings],
             "frames": [
                 {"name": name, "camera": None if cameras is None else dict(cameras[frame])}
-                for frame, name in enumerate(problem.shot.names)
+                for frame, name in enumerate(shot.names)
             ],
-            "motion": [self._motion(*pair) for pair in problem.shot.pairs],
+            "motion": [self._motion(*pair) for pair in shot.pairs],
         }
 
     def add(self, result: FrameResult) -> None:
         """Write the picture and the NNF of a frame."""
-        name = self._names[result.frame]
         frame = self._facts["frames"][result.frame]
-        frame["picture"], frame["nnf"] = f"pictures/{name}.png", f"nnfs/{name}.npy"
+        frame["picture"] = self._files.pictures[result.frame]
+        frame["nnf"] = self._files.nnfs[result.frame]
         write_image(self.folder / frame["picture"], result.image, profile=self._profile)
         params, style = self._problem.params, self._problem.style
         field = Field(
@@ -112,11 +113,11 @@ class RunWriter:
             )
         facts = self._facts | {"digests": self._digests}
         write_text(self.folder / RUN_FILE, json.dumps(facts, indent=1) + "\n")
+        (self.folder / UNFINISHED_FILE).unlink(missing_ok=True)
         return Run(self.folder)
 
-    def _image(self, name, image):
+    def _image(self, file, image):
         """Write an image, exactly; OpenImageIO would divide by alpha."""
-        file = f"{name}.{'png' if image.shape[2] in (1, 3) else 'npy'}"
         if file.endswith(".png"):
             write_image(self.folder / file, image)
         else:
@@ -125,7 +126,7 @@ class RunWriter:
         return file
 
     def _motion(self, to, other):
-        file = f"motion/{self._names[to]}_to_{self._names[other]}.npy"
+        file = self._files.motion[to, other]
         write_arrays(self.folder / file, list(self._problem.shot.motion(to, other)))
         self._note(file)
         return {"to": to, "other": other, "file": file}
@@ -133,12 +134,3 @@ class RunWriter:
     def _note(self, *files):
         for file in files:
             self._digests[file] = digest_of(self.folder / file)
-
-
-def _file_names(names):
-    """The names as file names, or numbers if two would be the same."""
-    cleaned = [re.sub(r"[^\w.-]", "_", name) for name in names]
-    if len({name.lower() for name in cleaned}) == len(cleaned):
-        return cleaned
-    digits = len(str(len(names) - 1))
-    return [f"{frame:0{digits}}" for frame in range(len(names))]

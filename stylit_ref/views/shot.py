@@ -27,6 +27,8 @@ class Shot(Protocol):
     pairs : sequence of tuple of 2 int
         ``(to, other)``: there is motion from frame ``to`` into frame ``other``, so that the picture
         of ``other`` can be shifted to ``to``.
+    code : str
+        A text that changes if the code does that makes guides and motion of what is read.
     """
 
     @property
@@ -37,6 +39,9 @@ class Shot(Protocol):
 
     @property
     def pairs(self) -> Sequence[tuple[int, int]]: ...
+
+    @property
+    def code(self) -> str: ...
 
     def guides(self, frame: int) -> Sequence[NDArray[np.uint8]]:
         """The guides of a frame, (H, W) or (H, W, c) uint8, in the order of the source's."""
@@ -77,6 +82,7 @@ class ArrayShot:
     names: tuple[str, ...]
     size: tuple[int, int]
     pairs: tuple[tuple[int, int], ...]
+    code: str = ""
 
     def __init__(
         self,

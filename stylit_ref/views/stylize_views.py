@@ -137,7 +137,7 @@ def _results(problem, bench, work, scheduler, threads, progress, *, is_grey):
         walk = Walk(problem, folder, bench, keys, threads)
         do_all = walk.do_here
         if scheduler is not None:
-            job = Job(problem, str(folder.folder.resolve()), keys, threads, code_key())
+            job = Job(problem, str(folder.folder.resolve()), keys, threads, code_key(problem.shot))
             do_all = partial(do_on_cluster, job, scheduler)
         for frame, state in walk.run(do_all, progress):
             image = state.picture[:, :, 0] if is_grey else state.picture

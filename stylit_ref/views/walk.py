@@ -77,8 +77,9 @@ class Walk:
         while len(finished) < len(self.plan.frames):
             missing = self.missing()
             left = sum(map(_cost, missing))
+            waiting = set(missing)
             for frame in self.plan.frames:
-                if self.plan.last(frame) not in missing:
+                if self.plan.last(frame) not in waiting:
                     yield from self._finish(frame, finished)
             for task in do_all(missing):
                 left -= _cost(task)
@@ -122,7 +123,7 @@ class Walk:
             self._bench.forget(task.frame)
         if is_last and self.plan.order == SEQUENTIAL:
             self._forget_all_but_last(task.frame)
-        elif before and (older := self.plan.before(before)):
+        elif older := self.plan.removed_by(task):
             self._folder.forget(self._keys[older])
         return True
 

@@ -54,6 +54,15 @@ def test_a_file_of_a_pair(files):
         np.testing.assert_array_equal(found, wanted)
 
 
+@pytest.mark.parametrize("place", ["ahead", "back"])
+def test_a_file_of_a_pair_leads_into_one_frame(files, tmp_path, place):
+    vectors = {f"Vector.{channel}": 1 for channel in "XYZW"}
+    both = str(write_exr(tmp_path / "both.exr", vectors, SIZE))
+    ahead, back = (both, None) if place == "ahead" else (files["flow"][1], both)
+    with pytest.raises(InputError, match=r"both.exr: leads into the frame before and into the"):
+        VectorsOfPair(ahead, back, "auto").read()
+
+
 def test_the_digest_tells_what_the_motion_depends_on(files, tmp_path):
     flow, depth, ids = files["flow"], files["depth"], files["ids"]
     whole = VectorsOfFrames(1, 2, flow, "flo", depth, ids)

@@ -73,3 +73,11 @@ def test_frames_with_names_need_their_names(shot_with_run, capsys):
     file.write_text(text, encoding="utf-8")
     message = refused(capsys, replay(shot_with_run, output="again.%d.png"))
     assert "the frames are called left, 2, 3, ...; write {view}" in message
+
+
+def test_the_runs_own_files_are_not_overwritten(shot_with_run, capsys):
+    capsys.readouterr()
+    before = (shot_with_run / "run" / "pictures" / "1.png").read_bytes()
+    message = refused(capsys, replay(shot_with_run, output="run/pictures/{view}.png"))
+    assert "run/pictures/1.png: the output would overwrite this input; name another" in message
+    assert (shot_with_run / "run" / "pictures" / "1.png").read_bytes() == before

@@ -1,5 +1,7 @@
 """``stylit-ref sequence`` from end to end."""
 
+import shutil
+
 import numpy as np
 import pytest
 from cli.calls import QUICK, refused, run, sequence
@@ -19,6 +21,7 @@ from stylit_ref.files.motion_flo import write_flo
 from stylit_ref.views.motion.between import motion_between
 from stylit_ref.views.motion.conventions import FrameMotion
 from stylit_ref.views.motion.reading import read_motion
+from stylit_ref.views.run_folder import Run
 
 PARAMS = Params(levels=2, votes=1, patchmatch_iterations=1)
 
@@ -75,6 +78,13 @@ def test_without_motion_every_frame_is_that_of_run(shot, capsys):
         alone.append(read_image(folder / "out.png"))
     np.testing.assert_array_equal(written(folder, (1, 3)), alone)
     assert not (folder / "out.0002.png").exists()
+
+
+def test_coherence_of_0_is_told_where_motion_is_named(shot, capsys):
+    assert sequence(shot[0], *motion(shot[0]), "--coherence", 0, "--frames", "1-2") == 0
+    said = capsys.readouterr().err
+    assert "--coherence is 0, so the motion is not used; with a larger number strokes move" in said
+    assert "name the motion" not in said
 
 
 def test_motion_is_followed_through_frames_that_are_left_out(shot):
@@ -150,6 +160,61 @@ def test_missing_frames_are_all_named_at_once(shot, capsys):
     assert not list(folder.glob("out*"))
 
 
+def test_a_gap_in_the_numbers_is_no_choice(shot, capsys):
+    folder = shot[0]
+    for guide in (0, 1):
+        (folder / f"target_{guide}.0002.png").unlink()
+    message = refused(capsys, sequence(folder))
+    assert "there is no file for frame 2; render what is missing, or choose" in message
+    assert not list(folder.glob("out*"))
+    assert sequence(folder, "--frames", "1,3") == 0
+
+
+def test_help_shows_names_as_they_are_typed(capsys):
+    for command in (["sequence"], ["motion", "check"], ["replay"]):
+        with pytest.raises(SystemExit):
+            main([*command, "--help"])
+        said = capsys.readouterr().out
+        assert "%04d" in said
+        assert "%%" not in said
+
+
+def test_all_that_is_missing_is_named_at_once(shot, capsys):
+    folder = shot[0]
+    for name in ("target_0.0002.png", "flow.0001.flo", "source_1.png"):
+        (folder / name).unlink()
+    beside = "--depth", f"{folder}/depth.%d.exr", "--ids", f"{folder}/ids.%d.png"
+    message = refused(capsys, sequence(folder, *motion(folder), *beside, "--frames", "1-3"))
+    for name, frames in (
+        ("target_0.%04d.png", "frame 2"),
+        ("flow.%04d.flo", "frame 1"),
+        ("depth.%d.exr", "frames 1-3"),
+        ("ids.%d.png", "frames 1-3"),
+    ):
+        assert f"{folder}/{name}: there is no file for {frames}" in message
+    assert f"{folder}/source_1.png: no such file" in message
+
+
+def test_the_header_of_every_file_is_read_before_anything_runs(shot, capsys):
+    folder, size = shot[0], shot[3][0][0].shape[:2]
+    vector = [f"Vector.{role}" for role in "XYZW"]
+    for frame, names in (
+        (1, (vector, ["Depth.Z"], ["Ids.X"])),
+        (2, (vector, ["Depth.Z"], ["Ids.X"])),
+        (3, (["Other.R", "Other.G"], ["Depth.X", "Depth.Y"], ["R", "G", "B"])),
+    ):
+        for kind, channels in zip(("vector", "depth", "ids"), names, strict=True):
+            write_exr(folder / f"{kind}.{frame}.exr", dict.fromkeys(channels, 1), size)
+    write_image(folder / "target_1.0002.png", np.zeros((30, 20, 1), np.uint8))
+    flags = "--motion", f"{folder}/vector.%d.exr", "--depth", f"{folder}/depth.%d.exr"
+    message = refused(capsys, sequence(folder, *flags, "--ids", f"{folder}/ids.%d.exr"))
+    assert "target_1.0002.png: is 20x30 but" in message
+    assert "vector.3.exr: the names of its channels do not tell the convention" in message
+    assert "depth.3.exr: has 2 channels of half; depth is one channel of floating" in message
+    assert "ids.3.exr: holds colours in floating point; IDs are" in message
+    assert not list(folder.glob("out*"))
+
+
 def test_frames_of_other_sizes_are_all_named_at_once(shot, capsys):
     folder = shot[0]
     for frame in (2, 3):
@@ -191,6 +256,15 @@ def test_motion_that_is_missing_is_named(shot, capsys):
     assert message.endswith("flow.%04d.flo: there is no file for frame 2")
     message = refused(capsys, sequence(folder, "--motion", f"{folder}/none.%04d.flo"))
     assert "there is no file of such a name" in message
+
+
+def test_vectors_that_are_all_0_are_noted(shot, capsys):
+    folder = shot[0]
+    assert sequence(folder, *motion(folder), "--frames", "1-2") == 0
+    assert "no vectors but 0" not in capsys.readouterr().err
+    write_flo(folder / "flow.0001.flo", np.zeros((*shot[3][0][0].shape[:2], 2), np.float32))
+    assert sequence(folder, *motion(folder), "--frames", "1-2") == 0
+    assert "--motion has no vectors but 0 between the first two frames" in capsys.readouterr().err
 
 
 def test_one_frame_needs_no_motion(shot):
@@ -273,3 +347,49 @@ def test_run_explains_a_name_that_stands_for_many_frames(shot, capsys, nothing_w
     message = refused(capsys, run(folder, guides=("source_{}.png", "target_{}.%04d.png")))
     assert "target_0.%04d.png: stands for the files of many frames" in message
     assert "'stylit-ref sequence'" in message
+
+
+@pytest.mark.parametrize("kept", ["style.png", "notes.txt"])
+def test_a_run_is_not_written_over_other_files(shot, capsys, kept):
+    folder = shot[0]
+    (folder / "painted").mkdir()
+    shutil.copy(folder / "style.png", folder / "painted" / kept)
+    before = (folder / "painted" / kept).read_bytes()
+    message = refused(capsys, sequence(folder, "--run", folder / "painted"))
+    assert f"{folder}/painted: holds other files than those of a RUN; name a new" in message
+    assert [each.name for each in (folder / "painted").iterdir()] == [kept]
+    assert (folder / "painted" / kept).read_bytes() == before
+    assert not list(folder.glob("out*"))
+
+
+@pytest.mark.parametrize(
+    ("flags", "said"),
+    [
+        (("--style", "run/style.png"), "run/style.png: the output would overwrite this input"),
+        (("--output", "run/pictures/%d.png"), "two outputs have this name; name another"),
+        (("--nnf", "run/nnfs/%d.npy"), "two outputs have this name; name another"),
+        (("--style", "run/pictures/9.png"), "run/pictures/9.png: the output would overwrite"),
+    ],
+)
+def test_files_of_a_run_are_not_for_others(shot, capsys, monkeypatch, flags, said):
+    folder = shot[0]
+    for name in ("style", "pictures/9"):
+        write_image(folder / "run" / f"{name}.png", shot[1])
+    facts = '{"schema": "stylit-ref run", "digests": {"style.png": "", "pictures/9.png": ""}}'
+    (folder / "run" / "run.json").write_text(facts, encoding="utf-8")
+    monkeypatch.chdir(folder)
+    assert said in refused(capsys, sequence(folder, "--run", "run", *flags))
+    assert (folder / "run" / "run.json").read_text(encoding="utf-8") == facts
+
+
+def test_an_interrupted_run_goes_on_with_its_folder(shot, monkeypatch):
+    folder = shot[0]
+
+    def interrupted(*arguments, **settings):
+        raise KeyboardInterrupt
+
+    with monkeypatch.context() as patched:
+        patched.setattr(shot_out, "write_image", interrupted)
+        assert sequence(folder, "--run", folder / "run") == 130
+    assert sequence(folder, "--run", folder / "run") == 0
+    assert Run(folder / "run").names == ("1", "2", "3")

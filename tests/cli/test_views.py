@@ -95,11 +95,11 @@ def test_another_painting(grid):
 
 def test_missing_files_are_all_named_at_once(grid, capsys):
     folder, manifest = grid
-    missing = [folder / "target_1.0002.png", folder / "flow.0001_to_0002.flo"]
+    missing = [folder / "style.png", folder / "target_1.0002.png", folder / "flow.0001_to_0002.flo"]
     for file in missing:
         file.unlink()
     message = refused(capsys, views(folder, manifest))
-    assert message == f"stylit-ref: no such files: {missing[0]}, {missing[1]}"
+    assert message == f"stylit-ref: no such files: {', '.join(map(str, missing))}"
     assert not list(folder.glob("out*"))
 
 

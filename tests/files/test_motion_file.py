@@ -1,12 +1,15 @@
 """Vectors in the files of several programs."""
 
+import tracemalloc
+
 import numpy as np
 import pytest
 from exr_files import write_exr, write_named_parts
 
 from stylit_ref import InputError, write_image
-from stylit_ref.files.motion_file import read_vectors
+from stylit_ref.files.motion_file import VectorsLook, look_at_vectors, read_vectors
 from stylit_ref.files.motion_flo import MARK, read_flo, write_flo
+from stylit_ref.views.motion.reading import read_motion
 
 BLENDER = {"X": -8, "Y": -4, "Z": -16, "W": -2}
 COLOURS = dict.fromkeys(("ViewLayer.Combined.R", "ViewLayer.Combined.G", "ViewLayer.Combined.B"), 1)
@@ -78,7 +81,7 @@ def test_flo(tmp_path):
     assert (tmp_path / "a.flo").read_bytes()[:12] == MARK + b"\5\0\0\0\3\0\0\0"
     read = read_vectors(tmp_path / "a.flo")
     assert np.array_equal(read.pairs[0], vectors)
-    assert read.known.all()
+    assert read.known[0].all()
     assert read.dialect == "flo"
 
 
@@ -88,8 +91,21 @@ def test_unknown_vectors_are_zero_and_not_known(tmp_path, broken):
     vectors[1, 2, 0] = broken
     write_flo(tmp_path / "a.flo", vectors)
     read = read_vectors(tmp_path / "a.flo")
-    assert read.known.tolist() == [[True] * 3, [True, True, False]]
+    assert read.known[0].tolist() == [[True] * 3, [True, True, False]]
     assert read.pairs[0][1, 2].tolist() == [0, 0]
+
+
+def test_a_vector_unknown_in_one_direction_is_known_in_the_other(tmp_path):
+    broken = np.zeros((6, 8))
+    broken[1, 2] = np.inf
+    file = write_exr(tmp_path / "a.exr", BLENDER | {"Z": broken})
+    read = read_vectors(file)
+    assert read.known[0].all()
+    assert np.array_equal(read.known[1], np.isfinite(broken))
+    assert (read.pairs[0] == (BLENDER["X"], BLENDER["Y"])).all()
+    motion = read_motion(file)
+    assert motion.backward.visible.all()
+    assert np.argwhere(~motion.forward.visible).tolist() == [[1, 2]]
 
 
 @pytest.mark.parametrize(
@@ -119,3 +135,30 @@ def test_one_channel_is_refused(tmp_path):
     file = write_exr(tmp_path / "a.exr", {"Z": 1})
     with pytest.raises(InputError, match="has one channel; vectors need two"):
         read_vectors(file)
+
+
+def test_a_look_reads_the_header_alone(tmp_path):
+    with (tmp_path / "a.flo").open("wb") as file:
+        file.write(MARK + np.int32([1024, 512]).tobytes())
+        file.truncate(12 + 8 * 1024 * 512)
+    tracemalloc.start()
+    look = look_at_vectors(tmp_path / "a.flo")
+    most = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert look == VectorsLook((512, 1024), (True,), "flo")
+    assert most < 100_000
+
+
+@pytest.mark.parametrize(
+    ("channels", "pairs", "dialect"),
+    [
+        ([f"ViewLayer.Vector.{role}" for role in BLENDER], (True, True), "blender"),
+        (["forward.u", "forward.v"], (True, False), "nuke"),
+        (["backward.u", "backward.v"], (False, True), "nuke"),
+        (["MOTION.X", "MOTION.Y", "VISIBLE.Y"], (True,), "own"),
+        (["a.R", "a.G"], (True,), "other"),
+    ],
+)
+def test_a_look_tells_what_vectors_there_are(tmp_path, channels, pairs, dialect):
+    file = write_exr(tmp_path / "a.exr", dict.fromkeys(channels, 1), (6, 9))
+    assert look_at_vectors(file) == VectorsLook((6, 9), pairs, dialect)

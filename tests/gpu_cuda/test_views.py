@@ -86,9 +86,9 @@ def test_silhouettes(size, reach):
 
 
 @pytest.mark.parametrize("size", SIZES)
-@pytest.mark.parametrize("depths", [[1.0], [0.0, -0.0, 2.0], [np.inf], [np.nan, 1.0, 2.0, np.inf]])
+@pytest.mark.parametrize("depths", [[1.0], [0.0, -0.0, 2.0], [np.inf], [1.0, 2.0, np.inf]])
 def test_splatting(size, depths):
-    """Many pixels land on few, with depths that are equal, infinite, or no numbers."""
+    """Many pixels land on few, with depths that are equal or infinite."""
     rng = np.random.default_rng(len(depths))
     field, visible = motion(rng, size)
     middle = np.stack(np.mgrid[: size[0], : size[1]][::-1], axis=-1)

@@ -20,7 +20,7 @@ DIGESTS = {
     "v1": "a23247307f921b0d0b3a43e0ad296c2d1163fde9e89d5f05d04ea891f6a136f7",
     "texture/v1": "4cd33260ee79a0377252c0339eea6b360954cd21ce3d425ca086fd862d21a433",
     "realtime/v1": "47e9a2ce920eb379104aaf5c0868d1bc8aed7d02c32b30f61a80555d2ca45600",
-    "views/v1": "e0417526d5d223b09ce7886fef5afc64d1390f72c5fd2a7219feb32e31d75855",
+    "views/v1": "3a40846ed5b993d4fabf4811a491d98a8615fe580ae45727a4a70f3f96ba9ff1",
 }
 """SHA-256 of the SHA256SUMS of every version: what is published never changes."""
 

@@ -92,9 +92,9 @@ MISTAKES = {
         "return self.depth[pixel] > self.depth[before]",
         "splat",
     ),
-    "a depth that is no number is beaten": (
-        "return self.depth[pixel] < self.depth[before]",
-        "return not self.depth[pixel] >= self.depth[before]",
+    "nothing is nearest": (
+        "if 0 < depth[pixel] < 1e9:",
+        "if depth[pixel] < 1e9:",
         "splat",
     ),
     "vectors that differ by a pixel": (
@@ -130,8 +130,8 @@ MISTAKES = {
         "unhidden",
     ),
     "steps of depth, not of its inverse": (
-        "inverse[pixel] = 1 / value",
-        "inverse[pixel] = -value",
+        "return 1 / depth_of_things(depth)",
+        "return -depth_of_things(depth)",
         "rims",
     ),
     "a floor that recedes is a step": (
@@ -144,7 +144,11 @@ MISTAKES = {
         "value >= 1.049 * other",
         "rims",
     ),
-    "something is where nothing is": ("if 0 < value < 1e9:", "if 0 < value:", "rims"),
+    "something is very far away": (
+        "if 0 < depth[pixel] < 1e9:",
+        "if 0 < depth[pixel] < np.inf:",
+        "rims",
+    ),
     "rims within a square": (
         "distance = (rim[0] - y) ** 2 + (rim[1] - x) ** 2",
         "distance = max(abs(rim[0] - y), abs(rim[1] - x)) ** 2",
@@ -191,6 +195,11 @@ MISTAKES = {
         "along",
     ),
     "what the file tells is not heeded": ("elif files.tells_visible:", "elif False:", "motion"),
+    "one visibility for both directions": (
+        'self.known(f"{way}_shown", frame)',
+        'self.a.get(f"forward_shown_{frame}", self.known(f"{way}_shown", frame))',
+        "motion",
+    ),
     "depth of the wrong frame": (
         'inverted(back, files.known("depth", neighbour))',
         'inverted(back, files.known("depth", frame))',
@@ -202,8 +211,13 @@ MISTAKES = {
         "motion",
     ),
     "silhouettes of one end": (
-        "return whole if here is None or there is None else",
-        "there = here if there is None else there\n    return whole if here is None else",
+        "None if any(each is None for each in found) else found",
+        "next(([each] * 2 for each in found if each is not None), None)",
+        "motion",
+    ),
+    "labels beside the depth of one frame": (
+        "if labels is not None:\n        return along",
+        'if labels is not None and files.known("depth", to) is None:\n        return along',
         "motion",
     ),
     "means cut off": (
@@ -249,6 +263,11 @@ MISTAKES = {
     "a picture that is not folded": (
         "target = np.concatenate([guides, mixed], axis=-1)",
         "target = np.concatenate([guides, picture], axis=-1)",
+        "iteration",
+    ),
+    "outliers that count": (
+        'nnf, self.radius, self.p["outliers"])',
+        "nnf, self.radius)",
         "iteration",
     ),
     "votes counted from 0": (

@@ -52,3 +52,15 @@ def test_a_scheduler_that_is_not_there_is_one_sentence(tmp_path, monkeypatch):
 def test_a_cluster_needs_a_folder_that_all_know():
     with pytest.raises(InputError, match="work is missing; with a scheduler name a folder"):
         run("parallel", scheduler="tcp://127.0.0.1:9")
+
+
+@pytest.mark.slow
+def test_a_scheduler_without_workers_is_one_sentence(tmp_path, monkeypatch):
+    from dask.distributed import LocalCluster
+
+    monkeypatch.setattr("stylit_ref.views.distributed.PATIENCE", "1s")
+    with (
+        LocalCluster(n_workers=0, dashboard_address=None) as cluster,
+        pytest.raises(InputError, match=r"has no workers; start some with 'dask worker tcp://"),
+    ):
+        run("parallel", work=tmp_path, scheduler=cluster.scheduler_address)

@@ -55,3 +55,20 @@ def test_only_what_leads_to_a_missing_frame_is_done():
     # The last frame is lost; its last iteration reads those before of it and its neighbour.
     lost = plan.last(2)
     assert plan.missing(lambda task: task != lost) == [lost]
+
+
+@pytest.mark.parametrize("order", ["parallel", "sweeps"])
+@pytest.mark.parametrize("neighbours", [LINE, [[1], []], [[], [0], []]])
+@pytest.mark.parametrize("hurried", [0, 1])
+def test_no_state_goes_before_all_have_read_it(neighbours, order, hurried):
+    """One frame is as far ahead as it may be, as on a cluster whose machines are not alike."""
+    plan = Plan(neighbours, [3, 2], order)
+    waits = plan.waits(plan.tasks())
+    there, done = set(), set()
+    while left := [task for task in waits if task not in done]:
+        ready = [task for task in left if done.issuperset(waits[task])]
+        task = next((task for task in ready if task.frame == hurried), ready[0])
+        assert there.issuperset(plan.reads(task))
+        there = (there | {task}) - {plan.removed_by(task)}
+        done.add(task)
+    assert there.issuperset(map(plan.last, plan.frames))

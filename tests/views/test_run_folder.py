@@ -143,3 +143,41 @@ def test_facts_that_cannot_be_used_are_one_sentence(tmp_path, facts, said):
     (tmp_path / "run.json").write_text(facts)
     with pytest.raises(InputError, match=said):
         Run(tmp_path)
+
+
+def test_a_run_leaves_no_file_of_the_one_before(tmp_path):
+    run, _, _ = written(tmp_path / "run")
+    (run.folder / "mine.txt").write_text("kept", encoding="utf-8")
+    facts = run.facts | {"digests": run.facts["digests"] | {"../outside.txt": ""}}
+    (run.folder / "run.json").write_text(json.dumps(facts), encoding="utf-8")
+    (tmp_path / "outside.txt").write_text("kept", encoding="utf-8")
+    again, _, _ = written(run.folder, names=("left", "right"))
+    there = {each for each in run.folder.rglob("*") if each.is_file()}
+    assert there == {*again.files, run.folder / "mine.txt"}
+    assert (tmp_path / "outside.txt").exists()
+
+
+@pytest.mark.parametrize("text", ["[]", "{", '{"schema": "of another program"}'])
+def test_the_run_file_of_another_program_is_not_replaced(tmp_path, text):
+    (tmp_path / "run.json").write_text(text, encoding="utf-8")
+    with pytest.raises(InputError, match="is not that of a RUN; name another folder"):
+        written(tmp_path)
+    assert (tmp_path / "run.json").read_text(encoding="utf-8") == text
+
+
+def test_what_a_run_has_not_is_refused(made):
+    run, _, _ = made
+    for read in (run.picture, run.field):
+        for frame in (-1, 2):
+            with pytest.raises(InputError, match=f"has no frame {frame}; its frames are 0 to 1"):
+                read(frame)
+    with pytest.raises(InputError, match=r"has no motion from frame 1 into frame 7; its pairs are"):
+        run.motion(1, 7)
+
+
+def test_a_file_that_cannot_be_removed_is_told(tmp_path):
+    (tmp_path / "pictures").mkdir()
+    facts = {"schema": "stylit-ref run", "digests": {"pictures": ""}}
+    (tmp_path / "run.json").write_text(json.dumps(facts), encoding="utf-8")
+    with pytest.raises(InputError, match=r"pictures: cannot be removed: "):
+        written(tmp_path)

@@ -1,7 +1,7 @@
 """Shots in memory and of files."""
 
 import pickle
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
@@ -18,6 +18,8 @@ from stylit_ref import (
     write_image,
 )
 from stylit_ref.views.file_shot import files_digest
+from stylit_ref.views.keys import keys_of
+from stylit_ref.views.problem import make_problem
 
 PARAMS = Params(**EFFORT)
 
@@ -108,3 +110,15 @@ def test_guides_that_do_not_fit_the_source_are_refused_at_once(scene):
     guides = [each[:1] for each in scene.guides]
     with pytest.raises(InputError, match="target_guides holds 1 guides but source_guides holds 2"):
         stylize_views(scene.style, scene.sources, guides, PARAMS)
+
+
+def test_the_code_of_a_shot_is_also_that_which_reads_its_motion(files):
+    assert replace(files, motion_sources={}).code != files.code
+
+
+def test_a_state_belongs_to_the_code_that_read_its_frame(scene, files, monkeypatch):
+    problem = make_problem(scene.style, scene.sources, files, PARAMS)
+    before = keys_of(problem, problem.plan())
+    monkeypatch.setattr(FileShot, "code", "other")
+    after = keys_of(problem, problem.plan())
+    assert not set(before.values()) & set(after.values())

@@ -114,7 +114,7 @@ def _printed_form(plan, method):
     norm, plain = (
         [
             of(plan, "house", number, method, Coherence(0.5, form))
-            for number in ("guides", "warping")
+            for number in ("guide_error", "warping")
         ]
         for form in ("norm", PLAIN)
     )

@@ -84,7 +84,8 @@ def _study(study, report):
         report.table(study.name, table, tables.shown(table)),
         "*of alone* is the warping error over that of frames alone. *of floor* is the error over "
         "that of the renderings, both for a gradient of 1: motion ends between pixels, so that "
-        "even what moves exactly differs by up to half a pixel, the more the steeper it is. "
+        "even what moves exactly differs by up to half a pixel, the more the steeper it is. Paint "
+        "can be below 1: it has no lights that wander, and may follow how shifts are rounded. "
         "Seconds of the processor are of all frames, each run once, state files included; below "
         "they are compared in turns.",
     ]

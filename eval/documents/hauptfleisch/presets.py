@@ -70,7 +70,7 @@ PRESETS = {
         },
         frames=11,
         rounds=1,
-        costed=(("house", "ref"),),
+        costed=(("house", "ref"), ("large", "ref")),
         styles=("hatched", "marker"),
         sketches=("inked",),
     ),

@@ -8,7 +8,7 @@ from eval.runs.store import numbers_of, stored
 
 SHOWN = (
     "warping", "strokes", "warping_2", "warping_5", "warping_10", "round", "flicker", "fast",
-    "gradient", "crispness", "outlines", "guides", "kept",
+    "gradient", "crispness", "outlines", "guide_error", "kept",
 )  # fmt: skip
 """Numbers of the tables, as far as a study has them."""
 
@@ -43,9 +43,8 @@ def ways(study):
             | {"cpu": stored(job).stages["cpu"]}
         )
     table = pd.DataFrame(rows)
-    first = ["method", "order", "weight", "form", "silhouettes", "of alone", "of floor"]
-    names = [name for name in SHOWN if name in table]
-    return table[[*first, *names, "cpu"]]
+    first = "method", "order", "weight", "form", "silhouettes", "of alone", "of floor"
+    return table[[name for name in (*first, *SHOWN, "cpu") if name in table]]
 
 
 def of_floor(study, job):
@@ -83,7 +82,9 @@ def styles(plan):
     for style, study in plan.styles.items():
         job = study.job("ref", coherence)
         alone, ours = numbers_of(study.alone("ref")), numbers_of(job)
-        ratios = {name: ours[name] / alone[name] for name in ("gradient", "outlines", "guides")}
+        ratios = {
+            name: ours[name] / alone[name] for name in ("gradient", "outlines", "guide_error")
+        }
         rows.append(
             {
                 "style": style,

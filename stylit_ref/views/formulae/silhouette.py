@@ -4,7 +4,6 @@ Depth counts by its inverse: on a plane that is affine in the picture, so that a
 is told from a step in depth.
 """
 
-import numpy as np
 from numba import njit
 
 STEP = 1.05
@@ -36,19 +35,3 @@ def is_step(before: float, near: float, far: float, behind: float) -> bool:
     """
     slope = min(abs(before - near), abs(far - behind))
     return is_nearer(near, far) and near - far > 2 * slope
-
-
-def inverse_depth(depth: np.ndarray) -> np.ndarray:
-    """1 / depth, and 0 where a renderer says that nothing is: 0 or less, very large, or infinite.
-
-    Parameters
-    ----------
-    depth : (H, W) float32
-
-    Returns
-    -------
-    (H, W) float64
-    """
-    depth = depth.astype(np.float64)
-    is_there = (depth > 0) & (depth < 1e9)
-    return np.where(is_there, 1 / np.where(is_there, depth, 1), 0)

@@ -16,7 +16,7 @@ from stylit_ref.views.motion.silhouettes import along_silhouettes, silhouettes_o
 from stylit_ref.views.motion.visibility import cancelling, same_labels
 
 _WITHOUT_SILHOUETTES = (
-    "neither depth nor IDs of the frames are known, so strokes beside a silhouette move with what "
+    "neither depth nor IDs are known of both frames, so strokes beside a silhouette move with what "
     "lies behind them"
 )
 
@@ -37,8 +37,8 @@ def motion_between(
     What the other frame shows is what the mask of the file says; without a mask, where motion forth
     and back cancels; without motion back, what no other pixel of the frame covers. With IDs, a
     pixel must also lead to its own ID. Then strokes beside silhouettes take the motion of what they
-    belong to (:mod:`stylit_ref.views.motion.silhouettes`); a note says so if depth and IDs of the
-    two frames are not known.
+    belong to (:mod:`stylit_ref.views.motion.silhouettes`), by the depth of the two frames, or by
+    their IDs where depth is not known of both. If neither is, a note says so.
 
     Parameters
     ----------
@@ -68,12 +68,8 @@ def motion_between(
     whole = steps[0]
     for motion in steps[1:]:
         whole = composed(whole, motion)
-    here, there = (
-        silhouettes_of(
-            depth_of(frame) if depth_of else None, labels_of(frame) if labels_of else None
-        )
-        for frame in (to, other)
-    )
+    depths, labels = (_of_both((to, other), what_of) for what_of in (depth_of, labels_of))
+    here, there = map(silhouettes_of, depths, labels)
     if here is None or there is None:
         note(_WITHOUT_SILHOUETTES)
         return whole
@@ -97,10 +93,16 @@ def _step(frame, after, motion_of, depth_of, labels_of):
         motion = Motion(ahead.field, cancelling(ahead, back))
     else:
         motion = Motion(ahead.field, unhidden(ahead, depth))
-    labels = [labels_of(number) for number in (frame, after)] if labels_of else [None, None]
-    if labels[0] is None or labels[1] is None:
+    labels, others = _of_both((frame, after), labels_of)
+    if labels is None or others is None:
         return motion
-    return Motion(motion.field, motion.visible & same_labels(motion, labels[0], labels[1]))
+    return Motion(motion.field, motion.visible & same_labels(motion, labels, others))
+
+
+def _of_both(frames, what_of):
+    """What is known of two frames, which can only be compared if it is known of both."""
+    found = tuple(what_of(frame) for frame in frames) if what_of else (None, None)
+    return (None, None) if any(each is None for each in found) else found
 
 
 def _known(number, motion_of):

@@ -85,11 +85,12 @@ def check_motion(samples: Sequence[Sample]) -> Verdict:
     Raises
     ------
     InputError
-        If the vectors are wrong by any convention: 0 everywhere though the pictures move, or those
-        of Blender for a moving orthographic camera.
+        If the files are of several kinds, or the vectors are wrong by any convention: 0 everywhere
+        though the pictures move, or those of Blender for a moving orthographic camera.
     """
     for sample in samples:
         sample.check_sizes()
+        _refuse_other_kind(samples[0], sample)
     change = _sum(map(change_of, samples)).mean
     pairs = range(len(samples[0].vectors.pairs))
     ways = {number: [ways_of(sample, number) for sample in samples] for number in pairs}
@@ -137,6 +138,16 @@ def _trials(samples: Sequence[Sample], ways: dict[int, list[Ways]]):
             )
             if found.pixels:
                 yield Trial(convention, found.mean)
+
+
+def _refuse_other_kind(first: Sample, sample: Sample) -> None:
+    """Refuse vectors with another number of pairs than the first have."""
+    channels, others = (2 * len(each.vectors.pairs) for each in (first, sample))
+    if channels != others:
+        raise InputError(
+            f"{sample.name}: has vectors of {others} channels, and {first.name} of {channels}; "
+            "name files of one kind"
+        )
 
 
 def _are_zero(samples):

@@ -10,8 +10,8 @@ blender    before, +x -y  next, -x +y    Blender's Vector pass: previous minus
                                          current, current minus next, y up
 nuke       next, +x -y    before, +x -y  Nuke's layers forward and backward, y up
 flo        next, +x +y                   ``.flo`` files: Middlebury, Sintel, RAFT
-own        next, +x +y                   this project's MOTION, to the frame that
-                                         the file is for
+own        next, +x +y                   this project's MOTION; in a file of a
+                                         pair, from the first to the second
 =========  =============  =============  ========================================
 
 A name may be followed by ``-flip-x``, ``-flip-y`` (the sign of an axis is the other one), ``-swap``
@@ -29,7 +29,7 @@ from typing import NamedTuple
 import numpy as np
 
 from stylit_ref.errors import InputError
-from stylit_ref.files.motion_file import BLENDER, FLO, NUKE, OTHER, OWN, Vectors
+from stylit_ref.files.motion_file import BLENDER, FLO, NUKE, OTHER, OWN, Vectors, VectorsLook
 from stylit_ref.views.frames import Motion
 
 AUTO = "auto"
@@ -114,10 +114,10 @@ class Convention:
                 f"{2 * len(vectors.pairs)}; auto takes what the names of the channels say",
                 parameter="convention",
             )
-        shown = vectors.known if vectors.visible is None else vectors.known & vectors.visible
         found: dict[int, Motion] = {}
-        for pair, lead in zip(vectors.pairs, self.leads, strict=True):
-            if pair is not None:
+        for pair, known, lead in zip(vectors.pairs, vectors.known, self.leads, strict=True):
+            if pair is not None and known is not None:
+                shown = known if vectors.visible is None else known & vectors.visible
                 axes = pair[:, :, ::-1] if self.is_swapped else pair
                 signs = np.array([lead.right, lead.down], np.float32)
                 # Adding 0 makes -0 a 0, so that equal fields have equal bytes.
@@ -181,12 +181,12 @@ def convention_named(name: str) -> Convention:
     )
 
 
-def convention_of(vectors: Vectors, source: str) -> Convention:
+def convention_of(vectors: Vectors | VectorsLook, source: str) -> Convention:
     """The convention that the names of file and channels tell.
 
     Parameters
     ----------
-    vectors : Vectors
+    vectors : Vectors or VectorsLook
     source : str
         The file's name, for the message.
 

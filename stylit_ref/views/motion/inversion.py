@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stylit_ref.views import passes
+from stylit_ref.views.formulae.depth import depth_of_things
 from stylit_ref.views.frames import Motion
 from stylit_ref.views.motion.places import fetched, places_in_other
 
@@ -21,7 +22,8 @@ def inverted(motion: Motion, depth: NDArray[np.float32] | None = None) -> Motion
     motion : Motion
         From this frame into another.
     depth : (H, W) float32, optional
-        Of this frame; farther is larger.
+        Of this frame; farther is larger. What renderers write where nothing is counts as infinite
+        (:mod:`stylit_ref.views.formulae.depth`).
 
     Returns
     -------
@@ -44,8 +46,8 @@ def unhidden(motion: Motion, depth: NDArray[np.float32] | None = None) -> NDArra
     ----------
     motion : Motion
     depth : (H, W) float32, optional
-        Of this frame; farther is larger. Without it, all pixels of different motion that land on
-        one are hidden, since nothing says which is nearer.
+        As of :func:`inverted`. Without it, all pixels of different motion that land on one are
+        hidden, since nothing says which is nearer.
 
     Returns
     -------
@@ -61,8 +63,8 @@ def unhidden(motion: Motion, depth: NDArray[np.float32] | None = None) -> NDArra
 def _landed(motion, places, depth):
     size = motion.visible.shape
     winners = np.empty((*size, 2), np.int32)
-    distances = np.zeros(size, np.float32) if depth is None else np.float32(depth)
-    passes.splat(motion.field, places, np.ascontiguousarray(distances), winners)
+    distances = np.zeros(size) if depth is None else depth_of_things(depth)
+    passes.splat(motion.field, places, np.ascontiguousarray(distances, np.float32), winners)
     beaten, contested = np.empty(size, np.bool_), np.empty(size, np.bool_)
     passes.find_beaten(motion.field, places, winners, beaten, contested)
     return winners, beaten, contested

@@ -47,7 +47,7 @@ class Sample(NamedTuple):
         ------
         InputError
         """
-        height, width = self.vectors.known.shape
+        height, width = next(known.shape for known in self.vectors.known if known is not None)
         for picture in (each for pair in self.pictures.values() for each in pair):
             if picture.shape != (height, width):
                 raise InputError(
@@ -109,14 +109,14 @@ def ways_of(sample: Sample, number: int) -> Ways:
         Of pixels whose vectors are known, long enough to tell, and lead to a place within the
         picture whatever they mean.
     """
-    pair = sample.vectors.pairs[number]
-    if pair is None:
+    pair, known = sample.vectors.pairs[number], sample.vectors.known[number]
+    if pair is None or known is None:
         return Ways({}, Difference())
     length = np.abs(pair).max(axis=2)
     height, width = length.shape
     y, x = np.mgrid[:height, :width]
     is_inside = np.minimum.reduce([y, x, height - 1 - y, width - 1 - x]) >= length
-    usable = sample.vectors.known & is_inside & (length > SHORTEST)
+    usable = known & is_inside & (length > SHORTEST)
     if sample.vectors.visible is not None:
         usable &= sample.vectors.visible
     pixels = _spread(usable)
@@ -165,7 +165,7 @@ def halves_of(sample: Sample, motion: FrameMotion) -> Halves | None:
         return None
     common = (motion.forward.field + motion.backward.field) / 2
     opposite = (motion.forward.field - motion.backward.field) / 2
-    pixels = _spread(sample.vectors.known)
+    pixels = _spread(motion.forward.visible & motion.backward.visible)
     along, still = Difference(), Difference()
     for step, pictures in sample.pictures.items():
         vectors = opposite[pixels] * (1 if step == NEXT else BEFORE)

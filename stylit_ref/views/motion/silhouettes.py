@@ -16,7 +16,8 @@ from numpy.typing import NDArray
 from scipy.ndimage import maximum_filter
 
 from stylit_ref.views import passes
-from stylit_ref.views.formulae.silhouette import STEP, inverse_depth, reach_of
+from stylit_ref.views.formulae.depth import inverse_depth
+from stylit_ref.views.formulae.silhouette import STEP, reach_of
 from stylit_ref.views.frames import Motion
 from stylit_ref.views.motion.places import fetched, places_in_other
 
@@ -47,7 +48,7 @@ def silhouettes_of(
     Parameters
     ----------
     depth : (H, W) float32 or None
-        Farther is larger; 0, infinite, or more than 10⁹ where nothing is.
+        Farther is larger; where nothing is 0 or less, 10⁹ or more, infinite, or no number.
     labels : (H, W) of whole numbers, optional
         IDs; 0 where nothing is. They count where there is no depth.
 

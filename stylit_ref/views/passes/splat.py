@@ -27,7 +27,7 @@ def splat(
     places : (H, W, 2) int32
         Where each pixel lands: (y, x), or -1 for nowhere.
     depth : (H, W) float32
-        All alike where it is not known.
+        All alike where it is not known; numbers, infinite where nothing is.
     winners : (H, W, 2) int32
         Written: (y, x) of the pixel that lands there, -1 for none.
     """

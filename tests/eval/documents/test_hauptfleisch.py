@@ -50,6 +50,14 @@ def tiny_frames(scene, style, data, guides, frames):
     )  # fmt: skip
 
 
+def tiny_footage(folder):
+    """Two frames that slide, of which nothing else is known."""
+    shot = sliding(2)
+    renderings = np.stack([each[0] + np.uint8(k) for k, each in enumerate(shot.guides)])
+    guides = tuple(map(tuple, shot.guides))
+    return FrameSet("footage", shot.style, tuple(shot.sources), guides, shot.edges, renderings)
+
+
 @pytest.fixture
 def tiny(monkeypatch):
     """Tiny frames, short runs, and few of them."""
@@ -57,8 +65,10 @@ def tiny(monkeypatch):
         "house": {"ref": (Coherence(0.5), Coherence(1.0))},
         "large": {"ref": (Coherence(1.0),)},
         "animation": {"ref": (Coherence(1.0, order=SEQUENTIAL), Coherence(1.0))},
+        "sintel": {"ref": (Coherence(1.0, order=SEQUENTIAL),)},
     }
     monkeypatch.setattr(report_module, "read_frames", tiny_frames)
+    monkeypatch.setattr(report_module, "read_sintel", tiny_footage)
     methods = {"ref": Params(**EFFORT), "stylit": Params("stylit", error_limit=5)}
     monkeypatch.setitem(
         report_module.PRESETS,
@@ -89,6 +99,7 @@ def test_every_table_picture_and_claim_is_there_and_nothing_is_done_twice(
     assert house["of alone"][1] == 1
     assert (house["round"][1:] > 0).all()
     assert "round" not in pd.read_csv(folder / "animation.csv")
+    assert not {"outlines", "silhouettes"} & set(pd.read_csv(folder / "sintel.csv"))
     assert (pd.read_csv(folder / "costs.csv")["coherent [s]"] >= 0).all()
 
     claims = pd.read_csv(folder / "claims.csv")

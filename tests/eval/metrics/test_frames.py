@@ -282,8 +282,8 @@ def test_patches_from_anywhere_have_unlike_guides():
     images, edges = panorama(2)
     identity = np.stack(np.mgrid[:HEIGHT, :WIDTH], axis=-1)
     nnf = np.stack([identity, identity])
-    assert numbers("guide_fidelity", images[[0, 0]], edges, nnf) == {"guides": 0}
-    assert numbers("guide_fidelity", images[[0, 0]], edges, nnf[:, ::-1])["guides"] > 60
+    assert numbers("guide_fidelity", images[[0, 0]], edges, nnf) == {"guide_error": 0}
+    assert numbers("guide_fidelity", images[[0, 0]], edges, nnf[:, ::-1])["guide_error"] > 60
 
 
 def test_a_point_keeps_its_source_pixel_or_one_beside_it():
@@ -311,6 +311,10 @@ def test_metrics_of_frames_say_nothing_of_a_single_scene():
     ):  # fmt: skip
         assert METRICS[name].measure(object(), Outcome(other.renderings[0], 0.0)) == {}
         assert set(METRICS[name].NUMBERS) <= set(NUMBERS)
+
+
+def test_no_two_metrics_give_a_number_of_the_same_name():
+    assert len(NUMBERS) == sum(len(metric.NUMBERS) for metric in METRICS.values())
 
 
 def test_a_frame_set_tells_its_size_and_what_methods_see():

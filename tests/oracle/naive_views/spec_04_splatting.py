@@ -6,13 +6,22 @@ from .spec_01_names import NOWHERE, Motion, pixels, place_of, told
 from .spec_03_vectors import differ, fixed
 
 
+def depth_of_things(depth):
+    """Give depth that is infinite where nothing is."""
+    found = np.full(depth.shape, np.inf)
+    for pixel in pixels(depth.shape):
+        if 0 < depth[pixel] < 1e9:
+            found[pixel] = depth[pixel]
+    return found
+
+
 class Landing:
     """Where the pixels of a frame land, and who wins."""
 
     def __init__(self, motion, depth):
         size = motion.visible.shape
         self.motion = motion
-        self.depth = np.zeros(size, np.float32) if depth is None else depth
+        self.depth = np.ones(size) if depth is None else depth_of_things(depth)
         self.winners = np.full((*size, 2), -1)
         self.beaten, self.contested = np.zeros(size, bool), np.zeros(size, bool)
         for pixel in pixels(size):

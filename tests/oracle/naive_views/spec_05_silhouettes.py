@@ -3,6 +3,7 @@
 import numpy as np
 
 from .spec_01_names import NOWHERE, Motion, pixels, place_of, told
+from .spec_04_splatting import depth_of_things
 
 NEIGHBOURS = (-1, 0), (0, -1), (1, 0), (0, 1)
 
@@ -11,12 +12,7 @@ def inverse_depths(depth, labels):
     """Give the inverse depths; those of labels where depth is not known."""
     if depth is None:
         return (labels != 0).astype(float)
-    inverse = np.zeros(depth.shape)
-    for pixel in pixels(depth.shape):
-        value = float(depth[pixel])
-        if 0 < value < 1e9:
-            inverse[pixel] = 1 / value
-    return inverse
+    return 1 / depth_of_things(depth)
 
 
 def is_nearer(value, other):

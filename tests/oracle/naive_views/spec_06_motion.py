@@ -20,13 +20,14 @@ class Files:
 
     def motion(self, frame, other):
         """Give the motion that the file of a frame holds towards a neighbour, or None."""
-        field = self.known("forward" if other > frame else "backward", frame)
-        return None if field is None else Motion(field, self.known("shown", frame))
+        way = "forward" if other > frame else "backward"
+        field = self.known(way, frame)
+        return None if field is None else Motion(field, self.known(f"{way}_shown", frame))
 
-    def inverse(self, frame):
-        """Give the inverse depths of a frame, or None."""
-        depth, labels = self.known("depth", frame), self.known("labels", frame)
-        return None if depth is None and labels is None else inverse_depths(depth, labels)
+    def of_both(self, name, *frames):
+        """Give depth or labels of two frames, or None if they are not known of both."""
+        found = [self.known(name, frame) for frame in frames]
+        return None if any(each is None for each in found) else found
 
 
 def same_labels(motion, labels, other):
@@ -49,8 +50,8 @@ def one_step(files, frame, neighbour):
         motion = Motion(ahead.field, cancelling(ahead, back))
     else:
         motion = Motion(ahead.field, unhidden(ahead, files.known("depth", frame)))
-    labels = [files.known("labels", number) for number in (frame, neighbour)]
-    if any(each is None for each in labels):
+    labels = files.of_both("labels", frame, neighbour)
+    if labels is None:
         return motion
     return Motion(motion.field, motion.visible & same_labels(motion, *labels))
 
@@ -62,8 +63,12 @@ def motion_between(files, to, other):
     for frame in range(to, other, step):
         motion = one_step(files, frame, frame + step)
         whole = motion if whole is None else composed(whole, motion)
-    here, there = files.inverse(to), files.inverse(other)
-    return whole if here is None or there is None else along(whole, here, there)
+    depths, labels = (files.of_both(name, to, other) for name in ("depth", "labels"))
+    if depths is not None:
+        return along(whole, *(inverse_depths(depth, None) for depth in depths))
+    if labels is not None:
+        return along(whole, *(inverse_depths(None, of_frame) for of_frame in labels))
+    return whole
 
 
 def stage_motion(p, a):

@@ -40,7 +40,7 @@ class Source:
 
     def vote(self, nnf, level):
         """Give the picture of an NNF."""
-        return vote(self.styles[level - 1], nnf, self.radius)
+        return vote(self.styles[level - 1], nnf, self.radius, self.p["outliers"])
 
     def advance(self, guides, nnf, picture, neighbours, level, k):
         """Do an iteration; guides are the target's at the level, neighbours (picture, motion)."""

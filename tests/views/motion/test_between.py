@@ -145,6 +145,18 @@ def test_inverse_is_that_of_the_brute_force_twin(with_depth):
     assert np.array_equal(found.field[twin.visible], twin.field[twin.visible])
 
 
+@pytest.mark.parametrize("way", [(2, 0), (0, 2), (-2, 0), (0, -2)])
+@pytest.mark.parametrize("nothing", [0, -1, np.nan, 1e9])
+def test_nothing_lies_behind_a_thing_that_lands_on_it(nothing, way):
+    """A thing of one pixel moves, to a pixel before or after it."""
+    field, depth = np.zeros((5, 5, 2), np.float32), np.full((5, 5), nothing, np.float32)
+    field[2, 2], depth[2, 2] = way, 5
+    moved, place = Motion(field, np.ones((5, 5), bool)), (2 + way[1], 2 + way[0])
+    assert inverted(moved, depth).field[place].tolist() == [-way[0], -way[1]]
+    shown = unhidden(moved, depth)
+    assert (shown[2, 2], shown[place]) == (True, False)
+
+
 def zooming(size, factor):
     """The motion of a surface that comes nearer."""
     y, x = np.mgrid[: size[0], : size[1]]
@@ -203,13 +215,30 @@ def test_unhidden_hides_both_without_depth():
     assert GROUND != SQUARE
 
 
+def test_depth_of_one_frame_is_not_compared_with_ids_of_the_other():
+    thing = {frame: np.where(labels_of(frame) == 2, np.uint32(2), np.uint32(0)) for frame in (0, 1)}
+
+    def along(depths, labels):
+        return motion_between(0, 1, both, depth_of=depths.get, labels_of=labels.get)
+
+    by_ids, without = along({}, thing), motion_between(0, 1, both)
+    assert (by_ids.field != without.field).any()
+    for depths in ({0: depth_of(0)}, {1: depth_of(1)}):
+        found = along(depths, thing)
+        assert np.array_equal(found.field, by_ids.field)
+        assert np.array_equal(found.visible, by_ids.visible)
+        alone = along(depths, {1 - frame: thing[1 - frame] for frame in depths})
+        assert np.array_equal(alone.field, without.field)
+        assert np.array_equal(alone.visible, without.visible)
+
+
 def test_a_note_says_that_silhouettes_are_not_known(caplog):
     with caplog.at_level("INFO", "stylit_ref"):
         motion_between(0, 1, both)
         motion_between(1, 2, both)
         motion_between(0, 1, both, depth_of=depth_of)
     assert [record.getMessage()[:38] for record in caplog.records] == [
-        "neither depth nor IDs of the frames ar"
+        "neither depth nor IDs are known of bot"
     ]
 
 

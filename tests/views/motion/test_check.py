@@ -19,7 +19,7 @@ def stored(convention, field, *, backward=None, dialect="other", visible=None):
     for lead in convention.leads:
         pair = (field if lead.step == 1 else backward) * np.float32([lead.right, lead.down])
         pairs.append(pair[:, :, ::-1] if convention.is_swapped else pair)
-    return Vectors(tuple(pairs), np.ones(SIZE, bool), visible, dialect)
+    return Vectors(tuple(pairs), (np.ones(SIZE, bool),) * len(pairs), visible, dialect)
 
 
 def bright(frame):
@@ -90,7 +90,7 @@ def test_a_small_thing_that_moves_is_enough():
     texture = np.random.default_rng(0).random((4, 4)) * 255
     before[20:24, 30:34], after[21:25, 33:37] = texture, texture
     field[20:24, 30:34] = 3, 1
-    vectors = Vectors((field,), np.ones((60, 90), bool), None, "flo")
+    vectors = Vectors((field,), (np.ones((60, 90), bool),), None, "flo")
     verdict = check_motion([Sample("a.flo", vectors, {1: (before, after), -1: (after, before)})])
     assert verdict.convention.name == "flo"
 
@@ -131,3 +131,12 @@ def test_vectors_of_blender_are_those_of_projected_points():
     inside, beside = vectors_off(FOLDER)
     assert inside.max() < 0.05
     assert np.mean(beside > 0.05) < 0.02
+
+
+def test_files_of_several_kinds_are_refused():
+    flo = stored(CONVENTIONS["flo"], FORWARD, dialect="flo")
+    blender = stored(CONVENTIONS["blender"], FORWARD, backward=BACKWARD, dialect="blender")
+    for first, second, said in ((flo, blender, "4 channels"), (blender, flo, "2 channels")):
+        samples = [*square(first), square(second)[0]._replace(name="b.exr")]
+        with pytest.raises(InputError, match=f"b.exr: has vectors of {said}, and a.exr of"):
+            check_motion(samples)

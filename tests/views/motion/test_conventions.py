@@ -16,7 +16,7 @@ from stylit_ref.views.motion.conventions import (
 def stored(*values, dialect="other", visible=None):
     """Vectors of one pixel."""
     pairs = tuple(np.float32([[pair]]) for pair in values)
-    return Vectors(pairs, np.ones((1, 1), bool), visible, dialect)
+    return Vectors(pairs, (np.ones((1, 1), bool),) * len(pairs), visible, dialect)
 
 
 def ways(name, *values):
@@ -55,14 +55,15 @@ def test_every_program_has_sixteen_different_variants():
 def test_pixels_without_a_vector_and_hidden_ones_are_hidden():
     pair, known = np.zeros((1, 3, 2), np.float32), np.array([[True, False, True]])
     visible = np.array([[True, True, False]])
-    found = CONVENTIONS["own"].fields(Vectors((pair,), known, visible, "own"))
+    found = CONVENTIONS["own"].fields(Vectors((pair,), (known,), visible, "own"))
     assert found.forward.visible.tolist() == [[True, False, False]]
     assert found.tells_visible
-    assert not CONVENTIONS["own"].fields(Vectors((pair,), known, None, "own")).tells_visible
+    assert not CONVENTIONS["own"].fields(Vectors((pair,), (known,), None, "own")).tells_visible
 
 
 def test_a_missing_pair_is_a_missing_direction():
-    found = CONVENTIONS["nuke"].fields(Vectors((None, np.zeros((1, 1, 2))), np.True_, None, "nuke"))
+    pairs, known = (None, np.zeros((1, 1, 2), np.float32)), (None, np.ones((1, 1), bool))
+    found = CONVENTIONS["nuke"].fields(Vectors(pairs, known, None, "nuke"))
     assert found.forward is None
     assert found.backward is not None
 

@@ -5,7 +5,8 @@ import pytest
 from views.motion.moving_square import SIZE, depth_of, labels_of, motion
 
 from stylit_ref.views import passes
-from stylit_ref.views.formulae.silhouette import STEP, inverse_depth, reach_of
+from stylit_ref.views.formulae.depth import inverse_depth
+from stylit_ref.views.formulae.silhouette import STEP, reach_of
 from stylit_ref.views.frames import Motion
 from stylit_ref.views.motion.silhouettes import along_silhouettes, silhouettes_of
 
@@ -71,7 +72,7 @@ def test_a_plane_that_recedes_has_no_rims():
     assert not rims.any()
 
 
-@pytest.mark.parametrize("nothing", [0, -1, np.inf, 1e10])
+@pytest.mark.parametrize("nothing", [0, -1, np.inf, -np.inf, np.nan, 1e9])
 def test_nothing_is_infinitely_far_away(nothing):
     assert inverse_depth(np.float32([[nothing, 4]])).tolist() == [[0, 0.25]]
 
