@@ -32,7 +32,7 @@ def test_committed_reports_are_slim():
 
 
 def test_pictures_of_the_pages_are_slim():
-    pictures = committed("docs/*.webp", "docs/*.png", "*.png", ":!data_gen", ":!oracle")
+    pictures = committed("docs/*.webp", "docs/*.png", "*.png", ":!data_gen", ":!oracle", ":!tests")
     assert pictures
     assert {file.suffix for file in pictures} == {".webp"}
     assert max(pictures.values()) <= 400_000
