@@ -113,6 +113,7 @@ DOWNSAMPLE = COUNT.format(
 )
 
 
+@pytest.mark.slow
 def test_an_edit_compiles_what_it_concerns_and_nothing_else(tmp_path):
     code = CodeCopy(tmp_path, ("stylit_ref",))
     assert code.python("-c", DOWNSAMPLE).strip() == "8 compiled"

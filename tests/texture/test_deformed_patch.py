@@ -13,6 +13,7 @@ from stylit_ref.texture.passes.layout import make_workspace
 from stylit_ref.texture.session import TextureSession
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("largest_shift", [0, 1, 6])
 @pytest.mark.parametrize("contrast", [1, 256])
 def test_row_by_row_the_cheaper_patch_is_that_of_two_whole_ones(largest_shift, contrast):

@@ -62,6 +62,7 @@ def test_edges_lie_where_the_cut_crosses_them():
     assert polar.inside[0, 7] == centre * side + centre + 4
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("radius", [1, 2, 16, 64, 128, 512])
 @pytest.mark.parametrize("radial_samples", [0.25, 2.0, 8.0])
 @pytest.mark.parametrize("weighting", WEIGHTINGS)

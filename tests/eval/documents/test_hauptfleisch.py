@@ -141,6 +141,7 @@ def test_a_preview_of_a_grid_steps_between_neighbours():
     assert steps_of(4, is_grid=False) == [0, 1, 2, 3, 2, 1]
 
 
+@pytest.mark.slow
 def test_a_long_shot_is_made_by_the_command_and_moves_along(tmp_path):
     effort = "--pyramid-levels", "3", "--search-vote-iters", "2"
     shot = LongShot(5, (40, 60), 3, ("--preset", "fast", *effort))

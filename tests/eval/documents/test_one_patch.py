@@ -25,6 +25,7 @@ def patch(session):
     return patch
 
 
+@pytest.mark.slow
 def test_the_texture_stays_as_it_is(session):
     before = session.addresses.copy(), session.recount()
     patch = OnePatch(session, (3, 60), int(session.exemplars.centres(24)[0]))

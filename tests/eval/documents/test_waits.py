@@ -13,6 +13,7 @@ from eval.documents.lasram.peak_memory import peak_memory
 from stylit_ref.texture.synthesize import synthesize_texture
 
 
+@pytest.mark.slow
 def test_times_of_a_patch_and_of_a_stroke(monkeypatch):
     exemplar = spots(1, 256)
     run = SimpleNamespace(coordinates=synthesize_texture(exemplar, (320, 320)).coordinates)

@@ -18,6 +18,7 @@ def outcome():
     return synthesized(spots(2), 1.0)
 
 
+@pytest.mark.slow
 def test_every_pixel_is_one_of_the_exemplar(outcome):
     y, x = np.moveaxis(outcome.coordinates[..., 1:] // 4, 2, 0)
     np.testing.assert_array_equal(outcome.image, spots(2)[y, x])
