@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from stylit_ref.errors import InputError
 from stylit_ref.files.disk.paths import split_layer
 from stylit_ref.files.guides.encoding import GuideEncoding
+from stylit_ref.files.guides.read_guides import with_channels
 from stylit_ref.files.picture import read_picture
 from stylit_ref.machine.code_digest import code_digest
 from stylit_ref.stylization.checks import size_text
@@ -104,13 +105,9 @@ class FileShot:
             )
         has_alpha = picture.alpha_channel is not None
         wants_alpha = channels in (2, 4)
-        colours = channels - wants_alpha
-        if guide.shape[2] - has_alpha == 1:
-            grey = [guide[:, :, :1]] * colours
-            guide = np.concatenate([*grey, guide[:, :, 1:]], axis=2)
-        if wants_alpha and not has_alpha:
-            opaque = np.full((*self.size, 1), 255, np.uint8)
-            guide = np.concatenate([guide, opaque], axis=2)
+        guide = with_channels(
+            guide, has_alpha=has_alpha, colours=channels - wants_alpha, wants_alpha=wants_alpha
+        )
         if guide.shape[2] != channels:
             raise InputError(
                 f"{file}: has {guide.shape[2]} channels but the source's guide has {channels}; "

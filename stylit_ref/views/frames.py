@@ -75,11 +75,6 @@ def grid_pairs(rows: int, columns: int) -> Iterator[tuple[int, int]]:
                     yield row * columns + column, other_row * columns + other_column
 
 
-def neighbours_of(edges: Edges, frame: int) -> list[int]:
-    """The frames whose pictures are shifted to this one, in rising order."""
-    return sorted(other for to, other in edges if to == frame)
-
-
 def check_edges(edges: Edges, frames: int, size: tuple[int, int]) -> dict[tuple[int, int], Motion]:
     """Edges that fit frames of a size.
 

@@ -54,21 +54,17 @@ class Plan:
         """Numbers of the frames."""
         return range(len(self.neighbours))
 
-    def stages(self) -> Iterator[list[Task]]:
-        """All tasks, in lists whose tasks do not read each other, except in sweeps."""
+    def tasks(self) -> Iterator[Task]:
+        """All tasks, each behind those that it reads."""
         if self.order == SEQUENTIAL:
             for frame in self.frames:
                 for level, vote in self._iterations():
-                    yield [Task(frame, level, vote)]
+                    yield Task(frame, level, vote)
             return
         for level, vote in self._iterations():
             back = self.order == SWEEPS and vote > 0 and vote % 2 == 0
-            yield [Task(frame, level, vote) for frame in self.frames[:: -1 if back else 1]]
-
-    def tasks(self) -> Iterator[Task]:
-        """All tasks, each behind those that it reads."""
-        for stage in self.stages():
-            yield from stage
+            for frame in self.frames[:: -1 if back else 1]:
+                yield Task(frame, level, vote)
 
     def last(self, frame: int) -> Task:
         """The task that finishes a frame."""
