@@ -4,16 +4,21 @@ import os
 import re
 import subprocess
 import sys
-from fnmatch import fnmatchcase
 
 import numpy as np
 import pytest
+from described import (
+    assert_every_name_of_a_case_is_explained,
+    assert_every_stage_has_cases_and_a_section,
+    assert_types_of_files_are_those_that_occur,
+    text_of,
+)
 from kept_cases import assert_made_again
 
 from oracle.cases import read_cases
 from oracle.check import check
 from oracle.compare import PASSED
-from oracle.families import TEXTURE, folder_of, spec_of, stages_of
+from oracle.families import TEXTURE
 from oracle.make.texture import texture_cases
 from oracle.stages.passes_port import PassesPort
 from stylit_ref.texture.params import TextureParams
@@ -21,7 +26,6 @@ from stylit_ref.texture.passes.placement import ACCEPTED, DEFORMED, REJECTED, UN
 from stylit_ref.texture.session import TextureSession
 
 VERSION = TEXTURE.versions[-1]
-SPEC = spec_of(VERSION).read_text(encoding="utf-8")
 
 
 def cases(stage):
@@ -29,29 +33,20 @@ def cases(stage):
 
 
 def test_every_stage_has_cases_and_a_section():
-    assert set(TEXTURE.sections) == set(stages_of(VERSION))
-    assert all(f"\n## {section}. " in SPEC for section in TEXTURE.sections.values())
-    assert all(f"\n| {stage} |" in SPEC for stage in TEXTURE.sections)
+    assert_every_stage_has_cases_and_a_section(TEXTURE)
+    text = text_of(TEXTURE)
+    assert all(f"\n| {stage} |" in text for stage in TEXTURE.sections)
 
 
 def test_every_name_of_a_case_is_explained():
-    table = SPEC.partition("\n| name | why it is there |")[2].partition("\n\n")[0]
-    rows = re.findall(r"^\| (`.+`) \|", table, re.MULTILINE)
-    explained = {name.strip("`") for row in rows for name in row.split(", ")}
-    used = set()
-    for case in read_cases(VERSION):
-        plain = re.sub(r"_\d$", "", case.name) if case.stage == "closed_cut" else case.name
-        found = {name for name in explained if fnmatchcase(plain, name)}
-        assert found, case.title
-        used |= found
-    assert used == explained
+    def plain(case):
+        return re.sub(r"_\d$", "", case.name) if case.stage == "closed_cut" else case.name
+
+    assert_every_name_of_a_case_is_explained(TEXTURE, plain)
 
 
 def test_types_of_files_are_those_that_occur():
-    told = set(re.findall(r"`([|<]\w\d)`", SPEC.partition("## 14.")[2]))
-    files = folder_of(VERSION).rglob("*.npy")
-    found = {np.lib.format.dtype_to_descr(np.load(file).dtype) for file in files}
-    assert found == told
+    assert_types_of_files_are_those_that_occur(TEXTURE, 14)
 
 
 def test_cases_are_awkward():

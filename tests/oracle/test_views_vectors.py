@@ -1,19 +1,23 @@
 """The vectors of coherent frames: the library's results for them, and their description."""
 
 import os
-import re
 import subprocess
 import sys
-from fnmatch import fnmatchcase
 
 import numpy as np
 import pytest
+from described import (
+    assert_every_name_of_a_case_is_explained,
+    assert_every_stage_has_cases_and_a_section,
+    assert_types_of_files_are_those_that_occur,
+    stages_in_table,
+)
 from kept_cases import assert_made_again
 
 from oracle.cases import read_cases
 from oracle.check import check
 from oracle.compare import PASSED
-from oracle.families import VIEWS, folder_of, spec_of, stages_of
+from oracle.families import VIEWS, folder_of
 from oracle.make.views import views_cases
 from oracle.stages import SYSTEMS, run_case
 from oracle.stages.passes_port import PassesPort
@@ -21,7 +25,6 @@ from stylit_ref.views import passes
 
 VERSION = VIEWS.versions[-1]
 STAGES = SYSTEMS[VIEWS.name].stages
-SPEC = spec_of(VERSION).read_text(encoding="utf-8")
 
 
 def cases(stage):
@@ -29,30 +32,16 @@ def cases(stage):
 
 
 def test_every_stage_has_cases_and_a_section():
-    assert set(VIEWS.sections) == set(stages_of(VERSION))
-    assert all(f"\n## {section}. " in SPEC for section in VIEWS.sections.values())
-    table = SPEC.partition("\n| stage |")[2].partition("\n\n")[0]
-    rows = re.findall(r"^\| (\w.*?) \|", table, re.MULTILINE)
-    assert {stage for row in rows for stage in row.split(", ")} == set(VIEWS.sections)
+    assert_every_stage_has_cases_and_a_section(VIEWS)
+    assert stages_in_table(VIEWS) == set(VIEWS.sections)
 
 
 def test_every_name_of_a_case_is_explained():
-    table = SPEC.partition("\n| name | why it is there |")[2].partition("\n\n")[0]
-    rows = re.findall(r"^\| (`.+`) \|", table, re.MULTILINE)
-    explained = {name.strip("`") for row in rows for name in row.split(", ")}
-    used = set()
-    for case in read_cases(VERSION):
-        found = {name for name in explained if fnmatchcase(case.name, name)}
-        assert found, case.title
-        used |= found
-    assert used == explained
+    assert_every_name_of_a_case_is_explained(VIEWS)
 
 
 def test_types_of_files_are_those_that_occur():
-    told = set(re.findall(r"`([|<]\w\d)`", SPEC.partition("## 10.")[2]))
-    files = folder_of(VERSION).rglob("*.npy")
-    found = {np.lib.format.dtype_to_descr(np.load(file).dtype) for file in files}
-    assert found == told
+    assert_types_of_files_are_those_that_occur(VIEWS, 10)
 
 
 def test_cases_are_light():
