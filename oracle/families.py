@@ -94,6 +94,7 @@ REALTIME = Family(
         "upsample_nnf": "8",
         "upsample_picture": "8",
         "frame": "9",
+        "renew": "9",
         "warm_frame": "9",
         "stroke": "9",
         "dense_nnf": "10",

@@ -11,6 +11,7 @@ from gpu_cuda.realtime.labels import decimate_labels, free_lost_labels, mark_lab
 from gpu_cuda.realtime.pixels import make_extend, make_fill, make_insert_style
 from gpu_cuda.realtime.pyramid import make_halve
 from gpu_cuda.realtime.records import make_box_records, make_mip_records
+from gpu_cuda.realtime.renewal import make_renew
 from gpu_cuda.realtime.search import make_search
 from gpu_cuda.realtime.upsample import random_nnf, upsample_nnf, upsample_picture
 
@@ -25,6 +26,7 @@ __all__ = [
     "make_halve",
     "make_insert_style",
     "make_mip_records",
+    "make_renew",
     "make_search",
     "make_vote",
     "mark_labels",

@@ -115,7 +115,29 @@ DENSE = {
 
 FINISHES = "best", "quick", "labels", "no_weight", "one_row"
 
-WARM = "best", "quick", "optimized", "bilinear", "labels"
+RENEWALS = {
+    "plain": {},
+    "labels": {"labelled": True, "source": (14, 15), "target": (15, 17)},
+    "level_2": {"renewal_level": 2, "source": (20, 23), "target": (28, 26)},
+    "weighed": {"guide_weights": [3, 0, 5]},
+    "mip_3": {"scale_space": True, "depth": 3},
+    "box_2": {"scale_space": True, "depth": 2, "means": "box"},
+    "wide_patch": {"patch_width": 7, "spacing": 6, "channels": 1},
+    "small_source": {"source": (4, 3), "target": (13, 16)},
+    "one_row": {"source": (1, 9), "target": (1, 21)},
+    "four_times": {"even": True, "source": (11, 60), "target": (24, 28)},
+}
+"""How the images of each renewal differ from the plain ones."""
+
+WARM = {
+    **{name: FRAMES[name] for name in ("best", "quick", "optimized", "bilinear", "labels")},
+    "one_level": FRAMES["one_level"],
+    "turned": {"source": (20, 30), "target": (24, 30), "levels": 4},
+    "not_renewed": {"renewal_level": 0},
+    "unread_guides": {"mu": (16,)},
+}
+"""How each warm frame differs from that of ``best``. The target moves a little, or turns around."""
+
 STROKES = "best", "quick", "simple", "guides_only"
 
 
@@ -154,11 +176,20 @@ def _inputs():
     yield from _upsampling(rng)
     for number, name in enumerate(FRAMES):
         yield "frame", name, *_frame(200 + number, **FRAMES[name])
-    for number, name in enumerate(WARM):
-        parameters, arrays = _frame(300 + number, **FRAMES[name])
+    for number, (name, differences) in enumerate(RENEWALS.items()):
+        yield "renew", name, *_renewal(900 + number, **differences)
+    for number, (name, differences) in enumerate(WARM.items()):
+        parameters, arrays = _frame(300 + number, **{"renewal_level": 2} | differences)
+        if name == "turned":  # two halves, which change places
+            for side in ("source_guides", "target_guides"):
+                arrays[side] = arrays[side] % 9
+                arrays[side][:, : arrays[side].shape[1] // 2] += 200
         before = answer("frame", parameters, arrays)
-        moved = np.roll(arrays["target_guides"], 1, axis=1)
-        arrays |= {"target_guides": moved, "nnf": before["nnf"]}
+        if name == "turned":
+            arrays["target_guides"] = arrays["target_guides"][:, ::-1]
+        sides = [name for name in arrays if name.startswith("target")]
+        arrays |= {side: np.roll(arrays[side], 1, axis=1) for side in sides}
+        arrays["nnf"] = before["nnf"]
         yield "warm_frame", name, parameters, arrays
     for number, (name, differences) in enumerate(DENSE.items()):
         scene = Scene(700 + number, **differences)
@@ -360,3 +391,24 @@ def _frame(
             labels[size[0] // 2 + 1, 3] = 200
             arrays[f"{side}_labels"] = labels
     return parameters, arrays
+
+
+def _renewal(number, even=False, **choices):
+    """Parameters and arrays of a renewal: both NNF are random, the fresh one is better at times."""
+    parameters, arrays = _frame(number, **{"renewal_level": 1} | choices)
+    del arrays["source_style"]
+    level, width = parameters["renewal_level"], parameters["patch_width"]
+    if even:  # matches differ from the target by 1, 2 or 3 everywhere: by 1, 4 or 9 times as much
+        arrays["target_guides"][:] = 100
+        arrays["source_guides"][:] = 101 + np.arange(60)[:, None] // 20
+    rng = np.random.default_rng(number)
+    for name, k in (("nnf", 0), ("fresh", level)):
+        source, target = (
+            [-(-side // (1 << k)) for side in arrays[f"{of}_guides"].shape[:2]]
+            for of in ("source", "target")
+        )
+        first, last = centres(source, width)
+        grid = [-(-side // parameters["spacing"]) for side in target]
+        arrays[name] = rng.integers(first, last + 1, (*grid, 2)).astype(np.int32)
+    names = "patch_width", "spacing", "terms", "guide_weights", "scale_space", "depth", "means"
+    return {name: parameters[name] for name in (*names, "renewal_level")}, arrays

@@ -1,11 +1,18 @@
-"""Whole frames of the real-time method: cold, warm, after a stroke, and with a dense finish."""
+"""Frames of the real-time method: cold, renewed and warm, after a stroke, with a dense finish."""
 
 from dataclasses import replace
 
+import numpy as np
+
 from oracle.stages.realtime import STAGES as LEVEL_STAGES
-from oracle.stages.realtime_level import params_of
+from oracle.stages.realtime_level import LABELS, LEVEL, params_of
 from oracle.stages.stage import Stage
+from stylit_ref.realtime.exemplar import Exemplar
+from stylit_ref.realtime.formulae.packed_nnf import entries_of, places_of
+from stylit_ref.realtime.layout import Layout
+from stylit_ref.realtime.refinement import Refinement, renew
 from stylit_ref.realtime.session import Session
+from stylit_ref.realtime.target import Target
 
 
 def _session(passes, parameters, arrays, dense_finish=False):
@@ -23,6 +30,25 @@ def _frame(passes, parameters, arrays):
     session = _session(passes, parameters, arrays)
     picture = session.frame()
     return {"picture": picture, "nnf": session.nnf}
+
+
+def _renew(passes, parameters, arrays):
+    """The frame's own levels, halved from the finest; B' counts nothing."""
+    level = parameters["renewal_level"]
+    params = params_of(parameters | {"levels": level + 1})
+    layout = Layout(params, arrays["source_guides"].shape[2], passes)
+    exemplar = Exemplar(*arrays["source_guides"].shape[:2], layout)
+    exemplar.set_guides(arrays["source_guides"])
+    exemplar.set_style(np.zeros((*exemplar.size, 3), np.uint8))
+    exemplar.join()
+    exemplar.set_labels(arrays.get("source_labels"))
+    target = Target(*arrays["target_guides"].shape[:2], layout)
+    target.set_guides(arrays["target_guides"])
+    target.set_labels(arrays.get("target_labels"), exemplar.has_label)
+    refinement = Refinement(layout, tuple(parameters["guide_weights"]))
+    nnf = {0: entries_of(arrays["nnf"]), level: entries_of(arrays["fresh"])}
+    renew(exemplar, target, refinement, nnf, level)
+    return {"nnf": places_of(nnf[0])}
 
 
 def _warm_frame(passes, parameters, arrays):
@@ -48,10 +74,12 @@ def _finish(passes, parameters, arrays):
 
 
 _PASSES = *dict.fromkeys(n for stage in LEVEL_STAGES.values() for n in stage.passes), "mark_labels"
+_RENEWAL = *LEVEL, *LABELS, "make_renew"
 
 STAGES = {
     "frame": Stage(_frame, _PASSES),
-    "warm_frame": Stage(_warm_frame, _PASSES),
+    "renew": Stage(_renew, _RENEWAL),
+    "warm_frame": Stage(_warm_frame, (*_PASSES, "make_renew")),
     "stroke": Stage(_stroke, _PASSES),
     "finish": Stage(_finish, _PASSES),
 }

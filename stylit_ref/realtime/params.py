@@ -58,6 +58,9 @@ class RealtimeParams:
         What a scale is: a texel of a coarser level, or the mean of a centred box.
     unread_terms : bool
         Leave out the guides where μ = 1 (equation 22).
+    renewal_level : int
+        The level of a warm frame whose matches, searched from nothing, replace those of the last
+        frame that have grown old; 0 for none.
     dense_finish : bool
         Give every pixel the best match of the entries around it at the end, and average all patches
         over it: less energy, but slower. Not with ``scale_space``.
@@ -96,6 +99,11 @@ class RealtimeParams:
     depth: int = parameter(3, Integer(1, 4), "D, number of scales")
     means: str = parameter("mip", Choice(MEANS), "scales: texels of coarser levels, or boxes")
     unread_terms: bool = parameter(True, Flag(), "do not read guides that have no weight")
+    renewal_level: int = parameter(
+        2, Integer(0, 11),
+        "level of a warm frame that is searched anew, to replace matches that have grown old; 0 "
+        "for none",
+    )  # fmt: skip
     dense_finish: bool = parameter(False, Flag(), "end with a match for every pixel; slower")
     labels: bool = parameter(True, Flag(), "match only pixels of the same label")
     packing: str = parameter(
@@ -153,6 +161,12 @@ class RealtimeParams:
     def radius_at(self, level: int, height: int, width: int) -> int:
         """Largest radius of the random search in a source of ``height`` x ``width`` pixels."""
         return min(max(height, width) // 2, _at(self.radii, level))
+
+    @property
+    def renewed_from(self) -> int:
+        """The level from which a warm frame renews matches; 0 if none, or if it reads no guides."""
+        level = min(self.renewal_level, self.levels - 1)
+        return level if self.reads_guides(level) else 0
 
     def reads_guides(self, level: int) -> bool:
         """Whether a level's search reads the guides."""

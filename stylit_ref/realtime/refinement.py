@@ -25,6 +25,8 @@ class Refinement:
         Of the channels of the guides.
     by_level : list of (n,) int16
         Of the bytes of a row of a patch.
+    guides_alone : (n,) int16
+        The same for μ = 0, at the level from which a warm frame renews matches.
 
     Raises
     ------
@@ -35,19 +37,23 @@ class Refinement:
     layout: Layout
     weights: tuple[int, ...]
     by_level: list[NDArray[np.int16]] = field(init=False)
+    guides_alone: NDArray[np.int16] = field(init=False)
 
     def __post_init__(self) -> None:
-        layout, params = self.layout, self.layout.params
-        rows, pixels = layout.patch_shape
-        by_level = []
-        for level in range(params.levels):
-            lanes = layout.lanes_read(level)
-            pixel = lane_weights(params.mu_at(level), self.weights, params.terms, lanes)
-            check_sum(pixel, rows * pixels)
-            row = np.zeros(row_lanes(pixels, lanes), np.int16)
-            row[: pixels * lanes] = np.tile(pixel, pixels)
-            by_level.append(row)
+        params = self.layout.params
+        by_level = [self._row(level, params.mu_at(level)) for level in range(params.levels)]
         object.__setattr__(self, "by_level", by_level)
+        object.__setattr__(self, "guides_alone", self._row(params.renewed_from, 0))
+
+    def _row(self, level, mu):
+        layout = self.layout
+        rows, pixels = layout.patch_shape
+        lanes = layout.lanes_read(level)
+        pixel = lane_weights(mu, self.weights, layout.params.terms, lanes)
+        check_sum(pixel, rows * pixels)
+        row = np.zeros(row_lanes(pixels, lanes), np.int16)
+        row[: pixels * lanes] = np.tile(pixel, pixels)
+        return row
 
     @property
     def first_level_of_guides_alone(self) -> int:
@@ -98,8 +104,8 @@ def refine(
     search = passes.make_search(*layout.patch_shape, layout.lanes_read(level))
     blend = passes.make_blend(params.patch_width, params.step, STYLE_LANES)
     source, style = exemplar.read_at(level), exemplar.style[level]
-    guides, picture, spacing = target.read_at(level)
-    grid = Grid(params.step, spacing, layout.margin, target.labels[level], exemplar.labels[level])
+    guides, picture, _ = target.read_at(level)
+    grid = _grid(exemplar, target, level)
     radius = params.radius_at(level, *exemplar.sizes[level])
     iterations = params.iterations_at(level)
     reads_style = params.reads_style(level)
@@ -121,3 +127,26 @@ def refine(
             return
         if reads_style and iteration + 1 < iterations:
             blend(nnf[level], style, target.picture[level])
+
+
+def renew(
+    exemplar: Exemplar,
+    target: Target,
+    refinement: Refinement,
+    nnf: list[NDArray[np.int32]],
+    level: int,
+) -> None:
+    """Renew the matches of level 0 that have grown old, from those of a coarser level."""
+    layout = exemplar.layout
+    guides, picture, _ = target.read_at(level)
+    layout.passes.make_renew(*layout.patch_shape, layout.lanes_read(level))(
+        nnf[0], nnf[level], level, exemplar.read_at(level), guides, picture,
+        refinement.guides_alone, _grid(exemplar, target, level), *exemplar.size,
+        _grid(exemplar, target, 0),
+    )  # fmt: skip
+
+
+def _grid(exemplar, target, level):
+    layout = exemplar.layout
+    labels = target.labels[level], exemplar.labels[level]
+    return Grid(layout.params.step, target.read_at(level)[2], layout.margin, *labels)

@@ -28,7 +28,13 @@ from stylit_ref.realtime.formulae.packed_nnf import entries_of, places_of
 from stylit_ref.realtime.layout import Layout
 from stylit_ref.realtime.params import RealtimeParams, as_realtime_params
 from stylit_ref.realtime.passes.image import Image
-from stylit_ref.realtime.refinement import Refinement, refine, start_level, threads_of_level
+from stylit_ref.realtime.refinement import (
+    Refinement,
+    refine,
+    renew,
+    start_level,
+    threads_of_level,
+)
 from stylit_ref.realtime.target import Target
 
 _TURN = RLock()
@@ -238,9 +244,9 @@ class Session:
         Parameters
         ----------
         warm : bool
-            Start from the last frame's NNF and search level 0 alone: for a target that moves a
-            little, or to go on with the same one. After a stroke in the style a cold frame is
-            better, whose coarse levels are kept.
+            Start from the last frame's NNF, renew what has grown old in it, and search level 0:
+            for a target that moves a little, or to go on with the same one. After a stroke in the
+            style a cold frame is better, whose coarse levels are kept.
         seed : int, optional
             From now on.
 
@@ -267,28 +273,34 @@ class Session:
                     parameter="warm",
                 )
             self._stop[0] = 0
-            levels = self.params.levels
-            top = 0 if warm else levels - 1 if kept is None else kept - 1
+            levels, last = self.params.levels, 0
+            top = levels - 1 if kept is None else kept - 1
+            if warm:
+                last = self.params.renewed_from
+                top = top if last else -1
             nnf = [np.empty(grid, np.int32) for grid in target.grids[: top + 1]]
             nnf += self._nnf[top + 1 :]
             with self._threads_for((warm, top)):
-                for level in range(top, -1, -1):
+                for level in range(top, last - 1, -1):
                     with using_threads(threads_of_level(target, level)):
-                        if warm:
-                            nnf[0][:] = self._nnf[0]
-                        else:
-                            start_level(exemplar, nnf, level, seed)
-                        # The coarser levels of a warm frame are those of another target.
-                        known = nnf[:1] if warm else nnf
-                        refine(exemplar, target, self._refinement, known, level, seed, self._stop)
+                        start_level(exemplar, nnf, level, seed)
+                        refine(exemplar, target, self._refinement, nnf, level, seed, self._stop)
+                    self._heed_cancel()
+                if warm:
+                    nnf[0] = self._nnf[0].copy()
+                    with using_threads(threads_of_level(target, 0)):
+                        if last:
+                            renew(exemplar, target, self._refinement, nnf, last)
+                        # Coarser levels may be those of another target.
+                        refine(exemplar, target, self._refinement, nnf[:1], 0, seed, self._stop)
                     self._heed_cancel()
                 dense = self._dense_of(nnf[0]) if self.params.dense_finish else None
                 picture = self._blended(nnf[0]) if dense is None else self._voted(dense)
                 self._heed_cancel()
             self._nnf, self._has_frame, self._dense = nnf, True, dense
             self.seed = seed
-            if not warm:
-                self._kept = self._refinement.first_level_of_guides_alone
+            if last or not warm:
+                self._kept = max(self._refinement.first_level_of_guides_alone, last)
                 self._seed_of_kept = seed
             return picture
 

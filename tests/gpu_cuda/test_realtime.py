@@ -24,6 +24,7 @@ MAKERS = {
     "make_halve": (8,),
     "make_insert_style": (8,),
     "make_mip_records": (8, 2),
+    "make_renew": (5, 5, 8),
     "make_search": (5, 5, 8),
     "make_vote": (5,),
 }
@@ -178,6 +179,32 @@ def test_half_iteration(shape, lanes, parity, radius):
     stop = np.zeros(1, np.uint8)
     assert_same(0, do, twin, nnf, *images, row, entries, stream, parity, radius, stop)
     assert (nnf != before).any()
+
+
+@pytest.mark.parametrize(("shape", "unit"), [((5, 5), 12), ((1, 3), 36)])
+def test_renewal(shape, unit):
+    rng, level = np.random.default_rng(8), 1
+    sizes, grids = ((15, 17), (8, 9)), ((5, 7), (3, 4))  # of the source and of entries, by level
+    is_patch, lanes = shape[0] > 1, 12
+    step, target = (3, (9, 11)) if is_patch else (3, grids[1])
+    images = [
+        image_of(rng, sizes[1], unit), image_of(rng, target, unit),
+        image_of(rng, target, STYLE_LANES if is_patch else 3 * STYLE_LANES),
+    ]  # fmt: skip
+    row = np.zeros(row_lanes(shape[1], lanes), np.int16)
+    row[: shape[1] * lanes] = 1
+    fine, coarse = (
+        Grid(step, step if is_patch else 1, 2, rng.integers(FREE, 2, grid).astype(np.int16),
+             rng.integers(0, 2, size, np.uint8))
+        for grid, size in zip(grids, sizes, strict=True)
+    )  # fmt: skip
+    nnf, fresh = (
+        random_entries(rng, grid, size, 2) for grid, size in zip(grids, sizes, strict=True)
+    )
+    before = nnf.copy()
+    do, twin = (each.make_renew(*shape, lanes) for each in (passes, gpu_cuda.realtime))
+    assert_same(0, do, twin, nnf, fresh, level, *images, row, coarse, *sizes[0], fine)
+    assert 0 < (nnf != before).mean() < 1
 
 
 @pytest.mark.parametrize("labelled", [False, True])

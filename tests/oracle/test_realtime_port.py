@@ -182,6 +182,36 @@ MISTAKES = {
         'a["nnf"] = frame.begin(None, p["levels"] - 1) if p["levels"] == 1 else frame.cold()',
         "warm_frame",
     ),
+    "a match that is old when it differs 4 times as much": (
+        "energy.of(parent, own) > 4 *",
+        "energy.of(parent, own) >= 4 *",
+        "renew",
+    ),
+    "a renewal that reads what it has renewed": (
+        "before[first].tolist()",
+        "nnf[first].tolist()",
+        "renew",
+    ),
+    "a renewal that heeds no labels": (
+        "        if not barred(entry, match):\n            nnf[entry] = match",
+        "        nnf[entry] = match",
+        "renew",
+    ),
+    "wrong labels that stay": (
+        "if not old and not barred(entry, tuple(before[entry])):",
+        "if not old:",
+        "renew",
+    ),
+    "a block that takes one match": (
+        "(at << k) + spacing * (place - start)",
+        "at << k",
+        "renew",
+    ),
+    "a warm frame that renews nothing": (
+        'if level > 0 and at(p["mu"], level) < 16:',
+        "if False:",
+        "warm_frame",
+    ),
     "a finish that keeps the first match": ("if found < best:", "if False:", "dense_nnf"),
     "equal matches of a finish are taken": (
         "                if found < best:",

@@ -19,7 +19,7 @@ from oracle.families import FAMILY_OF, NEWEST, folder_of, spec_of
 DIGESTS = {
     "v1": "a23247307f921b0d0b3a43e0ad296c2d1163fde9e89d5f05d04ea891f6a136f7",
     "texture/v1": "4cd33260ee79a0377252c0339eea6b360954cd21ce3d425ca086fd862d21a433",
-    "realtime/v1": "47e9a2ce920eb379104aaf5c0868d1bc8aed7d02c32b30f61a80555d2ca45600",
+    "realtime/v1": "b792f08832e84f3e91501ac3fffd1f2d1026c32cec14785558ac83ca7fab24da",
     "views/v1": "3a40846ed5b993d4fabf4811a491d98a8615fe580ae45727a4a70f3f96ba9ff1",
 }
 """SHA-256 of the SHA256SUMS of every version: what is published never changes."""

@@ -107,13 +107,21 @@ def test_a_target_leaves_the_source_alone():
     }  # fmt: skip
 
 
-def test_a_warm_frame_searches_level_0_alone():
+@pytest.mark.parametrize(
+    ("level", "expected"),
+    [
+        (0, {"search": 2, "blend": 2}),  # level 0 alone
+        (4, {"renew": 1, "search": 2, "blend": 2}),  # guides alone: a cold frame's are kept
+        (3, {"upsample_nnf": 1, "search": 18, "blend": 10, "renew": 1}),
+    ],
+)
+def test_a_warm_frame_searches_level_0_and_those_it_renews_from(level, expected):
     ours, calls = counted()
-    session = make_session(make_case(), "best", passes=ours)
+    session = make_session(make_case(), RealtimeParams(renewal_level=level), passes=ours)
     session.frame()
     calls.clear()
     session.frame(warm=True)
-    assert calls == {"search": 2, "blend": 2}
+    assert calls == expected
 
 
 def test_a_warm_frame_is_reproduced_from_seed_nnf_and_inputs():

@@ -11,6 +11,7 @@ from stylit_ref.realtime.passes.pyramid import (
     mark_labels,
 )
 from stylit_ref.realtime.passes.records import make_box_records, make_mip_records
+from stylit_ref.realtime.passes.renewal import make_renew
 from stylit_ref.realtime.passes.search import make_search
 from stylit_ref.realtime.passes.style_lanes import make_insert_style
 from stylit_ref.realtime.passes.upsample import random_nnf, upsample_nnf, upsample_picture
@@ -26,6 +27,7 @@ __all__ = [
     "make_halve",
     "make_insert_style",
     "make_mip_records",
+    "make_renew",
     "make_search",
     "make_vote",
     "mark_labels",

@@ -1,7 +1,9 @@
 """9. A frame."""
 
-from .spec_01_names import grid_of
-from .spec_03_levels import picked, pyramid
+import numpy as np
+
+from .spec_01_names import grid_of, into_range, ranges
+from .spec_03_levels import FREE, picked, pyramid
 from .spec_04_random_numbers import random_nnf
 from .spec_05_energy import Energy
 from .spec_06_search import Half, labels_of
@@ -81,13 +83,62 @@ class Frame:
                 picture = self.blended(nnf, level)
             self.search(nnf, picture, level, iteration)
 
-    def cold(self):
-        """Give the NNF of a cold frame."""
+    def cold(self, last=0):
+        """Give the NNF of a level, begun from nothing."""
         nnf = None
-        for level in range(self.p["levels"] - 1, -1, -1):
+        for level in range(self.p["levels"] - 1, last - 1, -1):
             coarse, nnf = nnf, self.begin(nnf, level)
             self.refine(nnf, coarse, level)
         return nnf
+
+
+def others(labels):
+    """Give a question: has a match another label than its entry, which is not free."""
+
+    def asked(entry, match):
+        if labels is None:
+            return False
+        wanted = int(labels[0][entry])
+        return wanted != FREE and int(labels[1][match]) != wanted
+
+    return asked
+
+
+def renew(p, a, nnf, fresh):
+    """Renew the matches of level 0 that have grown old."""
+    k, spacing = p["renewal_level"], p["spacing"]
+    guides = [pyramid(a[side], k + 1) for side in ("source_guides", "target_guides")]
+    energy = Energy(
+        p | {"mu": 0},
+        {
+            "source_guides": guides[0][k],
+            "target_guides": guides[1][k],
+            "source_style": np.zeros((*guides[0][k].shape[:2], 3), int),
+            "target_style": np.zeros((*guides[1][k].shape[:2], 3), int),
+        },
+    )
+    sides = [a.get("source_labels"), a.get("target_labels")]
+    barred, barred_here = (
+        others(labels_of(p, *(None if side is None else picked(side, level) for side in sides)))
+        for level in (0, k)
+    )
+    bounds, bounds_here = (ranges(guides[0][level].shape[:2], p["patch_width"]) for level in (0, k))
+    before = nnf.copy()
+    for entry in np.ndindex(nnf.shape[:2]):
+        parent = tuple(place >> k for place in entry)
+        first = tuple(place << k for place in parent)
+        own = into_range([place >> k for place in before[first].tolist()], bounds_here)
+        new = tuple(fresh[parent].tolist())
+        old = energy.of(parent, own) > 4 * energy.of(parent, new) or barred_here(parent, own)
+        if not old and not barred(entry, tuple(before[entry])):
+            continue
+        match = [
+            (at << k) + spacing * (place - start)
+            for at, place, start in zip(new, entry, first, strict=True)
+        ]
+        match = into_range(match, bounds)
+        if not barred(entry, match):
+            nnf[entry] = match
 
 
 def stage_frame(p, a):
@@ -100,8 +151,17 @@ def stage_frame(p, a):
 def stage_warm_frame(p, a):
     """Do stage warm_frame."""
     frame = Frame(p, a)
+    level = min(p["renewal_level"], p["levels"] - 1)
+    if level > 0 and at(p["mu"], level) < 16:
+        renew(p | {"renewal_level": level}, a, a["nnf"], frame.cold(level))
     frame.refine(a["nnf"], None, 0)
     return {"picture": frame.blended(a["nnf"], 0), "nnf": a["nnf"]}
+
+
+def stage_renew(p, a):
+    """Do stage renew."""
+    renew(p, a, a["nnf"], a["fresh"])
+    return {"nnf": a["nnf"]}
 
 
 def stage_stroke(p, a):
@@ -112,4 +172,9 @@ def stage_stroke(p, a):
     return pictures | {"nnf": nnf, "new_nnf": new_nnf}
 
 
-STAGES = {"frame": stage_frame, "warm_frame": stage_warm_frame, "stroke": stage_stroke}
+STAGES = {
+    "frame": stage_frame,
+    "renew": stage_renew,
+    "warm_frame": stage_warm_frame,
+    "stroke": stage_stroke,
+}
