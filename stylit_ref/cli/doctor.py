@@ -13,6 +13,7 @@ from stylit_ref import __version__
 from stylit_ref.cli.methods import OFFERS, made_params
 from stylit_ref.cli.parser import Parser
 from stylit_ref.stylization.warm_up import SIX_GUIDES
+from stylit_ref.texture.warm_up import kernels_of_all_textures
 
 
 def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
@@ -54,6 +55,7 @@ def _kernel_lines():
         name: offer.kernels(made_params(name, next(iter(offer.presets.values()))), 3, SIX_GUIDES)
         for name, offer in OFFERS.items()
     }
+    needed["textures"] = kernels_of_all_textures()
     folders = {each.folder for kernels in needed.values() for each in kernels}
     if None in folders:
         yield (
@@ -72,7 +74,8 @@ def _kernel_lines():
         f"{sum(each.is_compiled for each in kernels)} of {len(kernels)} for {name}"
         for name, kernels in needed.items()
     ]
-    yield "compiled", f"{', '.join(counts)}, with six guides in colour; a run compiles the others"
+    text = f"{', '.join(counts)}; pictures with six guides in colour. A run compiles what it lacks"
+    yield "compiled", text
 
 
 def _kinds(attribute, without):

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from stylit_ref import Params
-from stylit_ref.cli import main
+from stylit_ref.cli import doctor, main
 from stylit_ref.cli.methods import OFFERS
 from stylit_ref.machine.kernel import kernel, rehearsal
 from stylit_ref.stylization.warm_up import kernels_of_run
@@ -42,11 +42,12 @@ def test_threads_files_and_versions(told):
 
 @pytest.fixture
 def kernels(monkeypatch):
-    """The kernels that a method is said to need, in the place of its own."""
+    """The kernels that methods and textures are said to need, in the place of their own."""
 
     def need(found):
         for name, offer in OFFERS.items():
             monkeypatch.setitem(OFFERS, name, offer._replace(kernels=lambda *_: found))
+        monkeypatch.setattr(doctor, "kernels_of_all_textures", lambda: found)
 
     return need
 
@@ -68,6 +69,7 @@ def test_it_counts_what_is_compiled(told, kernels, tmp_path, monkeypatch):
     kernels(list(found))
     said = told()
     assert said["compiled"].startswith("0 of 2 for ref, 0 of 2 for guide_map, 0 of 2 for stylit, ")
+    assert "0 of 2 for textures; " in said["compiled"]
     assert f" MiB in {tmp_path}" in said["kernels"]
     first(np.zeros(1))
     assert told()["compiled"].startswith("1 of 2 for ref, ")
