@@ -28,7 +28,8 @@ def measure(scene, outcome):
     ground = flat_ground(views[1].labels)
     if not ground.any():
         return {}
-    return {"ground_seams": misfit(outcome.image, scene.style, outcome.nnf, ground)}
+    found = misfits(outcome.image, scene.style, outcome.nnf, ground)
+    return {"ground_seams": float(np.sqrt(found.mean()))}
 
 
 def flat_ground(labels):
@@ -36,7 +37,7 @@ def flat_ground(labels):
     return binary_erosion(labels == BACKGROUND, iterations=MARGIN, border_value=0)
 
 
-def misfit(image, style, nnf, ground):
+def misfits(image, style, nnf, ground):
     """How far patches of a picture are from those that they were taken from.
 
     Parameters
@@ -49,16 +50,16 @@ def misfit(image, style, nnf, ground):
 
     Returns
     -------
-    float
-        RMS of 8-bit steps.
+    (N,) float
+        Mean squares of 8-bit steps, of the ground's pixels in their order.
     """
     places = np.argwhere(ground)
     sources = nnf[ground].clip(RADIUS, np.array(style.shape[:2]) - 1 - RADIUS)
-    total = 0.0
+    total = np.zeros(len(places))
     for offset in np.ndindex(2 * RADIUS + 1, 2 * RADIUS + 1):
         ours, theirs = (
             picture[tuple((at + offset - RADIUS).T)].astype(np.int32)
             for picture, at in ((image, places), (style, sources))
         )
-        total += float(((ours - theirs) ** 2).mean())
-    return float(np.sqrt(total / (2 * RADIUS + 1) ** 2))
+        total += ((ours - theirs) ** 2).mean(axis=1)
+    return total / (2 * RADIUS + 1) ** 2

@@ -20,10 +20,16 @@ def measure(scene, outcome):
     """The number of a single picture, if it and its style have strokes."""
     if not isinstance(scene, Scene):
         return {}
-    dark = _dark(scene.style)
-    theirs = ends_by_length(luma(scene.style) < dark)
-    ours = ends_by_length(luma(outcome.image) < dark)
+    ours, theirs = (
+        ends_by_length(is_dark(image, scene.style)) for image in (outcome.image, scene.style)
+    )
     return {"stroke_ends": ours / theirs} if theirs and ours is not None else {}
+
+
+def is_dark(image, style):
+    """What is nearer to the darkest of the style than to its paper, (H, W) bool."""
+    darkest, paper = np.percentile(luma(style), (2, 98))
+    return luma(image) < (darkest + paper) / 2
 
 
 def ends_by_length(ink):
@@ -39,12 +45,10 @@ def ends_by_length(ink):
         None without ink.
     """
     lines = skeletonize(ink)
-    if not lines.any():
-        return None
+    return float(ends_of(lines).sum() / lines.sum()) if lines.any() else None
+
+
+def ends_of(lines):
+    """The ends of lines of one pixel's width, (H, W) bool."""
     neighbours = convolve(lines.astype(int), np.ones((3, 3), int), mode="constant") - 1
-    return float((neighbours[lines] <= 1).sum() / lines.sum())
-
-
-def _dark(style):
-    darkest, paper = np.percentile(luma(style), (2, 98))
-    return (darkest + paper) / 2
+    return lines & (neighbours <= 1)

@@ -5,7 +5,7 @@ import pytest
 from scipy.ndimage import gaussian_filter
 
 from eval.metrics.grid_contrast import grid_contrast
-from eval.metrics.ground_seams import flat_ground, misfit
+from eval.metrics.ground_seams import flat_ground, misfits
 from eval.metrics.ragged import raggedness
 from eval.metrics.stroke_ends import ends_by_length
 from eval.metrics.wrong_things import BACKGROUND, FOREGROUND
@@ -52,9 +52,9 @@ def test_pieces_that_do_not_continue_each_other_have_seams():
     inside = np.zeros((SIDE, SIDE), np.bool_)
     inside[2:-2, 2:-2] = True
     copy = np.stack([Y, X], axis=-1).astype(np.int32)
-    assert misfit(style, style, copy, inside) == 0
+    assert not misfits(style, style, copy, inside).any()
     large, small = (
-        misfit(style[nnf[..., 0], nnf[..., 1]], style, nnf, inside)
+        np.sqrt(misfits(style[nnf[..., 0], nnf[..., 1]], style, nnf, inside).mean())
         for nnf in (pieces(40), pieces(10))
     )
     assert 10 < large < small
