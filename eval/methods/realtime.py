@@ -5,19 +5,17 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from eval.device import processor
+from eval.on_processor import OnProcessor
 from eval.outcome import Outcome
-from stylit_ref.machine.code_digest import code_digest
+from stylit_ref.realtime import passes
 from stylit_ref.realtime.packing import PrincipalPacking, StagePacking, UnpackedStage, pack
 from stylit_ref.realtime.packing.stage import STAGE_BUFFERS
 from stylit_ref.realtime.params import RealtimeParams
 from stylit_ref.realtime.session import Session
 
-_CODE = code_digest(__file__, without=("gpu_cuda",))
-
 
 @dataclass(frozen=True)
-class Realtime:
+class Realtime(OnProcessor):
     """Frames of :class:`stylit_ref.realtime.session.Session`.
 
     Attributes
@@ -34,16 +32,6 @@ class Realtime:
     weights: tuple[tuple[str, int], ...] = ()
 
     cost = 0.1
-
-    @property
-    def code(self):
-        """Digest of the algorithm."""
-        return _CODE
-
-    @property
-    def device(self):
-        """Name of the processor."""
-        return processor()
 
     def frames(self, scene, seed, threads=None):
         """A session that makes frames of the scene, :class:`Frames`."""
@@ -63,7 +51,8 @@ class Realtime:
         Returns
         -------
         Outcome
-            The NNF has the place of every pixel in the patch of its nearest entry.
+            The NNF has the place of every pixel in the patch of its nearest entry, or its own
+            match after a dense finish.
         """
         return outcome_of(self.frames(scene, seed), self.params.step)
 
@@ -78,16 +67,18 @@ class Frames:
     weights : tuple of (str, int)
     seed : int
     threads : int, optional
+    passes : module, optional
+        As a session takes them.
     """
 
-    def __init__(self, scene, params, weights=(), seed=0, threads=None):
+    def __init__(self, scene, params, weights=(), seed=0, threads=None, passes=passes):
         source = {name: scene.buffers[name][0] for name in STAGE_BUFFERS}
         self.show(scene)
         self.source_size = scene.style.shape[:2]
         self.packing = _packing(params.packing, source)
-        self.session = Session(params, seed=seed, threads=threads)
-        features, labels = pack(self.packing, source)
-        self.session.set_exemplar(features, scene.style, labels)
+        self.session = Session(params, seed=seed, threads=threads, passes=passes)
+        self.source_guides, labels = pack(self.packing, source)
+        self.session.set_exemplar(self.source_guides, scene.style, labels)
         weights = dict(weights)
         self.session.set_weights([weights.get(name, 1) for name in self.packing.channels])
 
@@ -126,7 +117,11 @@ def outcome_of(frames, step):
     start = time.perf_counter()
     image = frames.frame()
     seconds = time.perf_counter() - start
-    nnf = of_every_pixel(frames.session.nnf, step, frames.size, frames.source_size)
+    session = frames.session
+    if session.params.dense_finish:
+        nnf = session.dense_nnf()
+    else:
+        nnf = of_every_pixel(session.nnf, step, frames.size, frames.source_size)
     return Outcome(image, seconds, nnf)
 
 

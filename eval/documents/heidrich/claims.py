@@ -31,6 +31,7 @@ def claims(plan, required):
         _fewer_buffers(plan),
         _compromise(plan),
         *claims_of_ours(plan),
+        *(claim for aside in plan.asides for claim in aside.claims()),
     ]
 
 

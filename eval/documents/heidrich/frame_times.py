@@ -6,16 +6,13 @@ from dataclasses import dataclass
 import numpy as np
 import pandas as pd
 
-from eval.device import processor
+from eval.on_processor import OnProcessor
 from eval.outcome import Outcome
-from stylit_ref.machine.code_digest import code_digest
 from stylit_ref.machine.forks import available_threads
-
-_CODE = code_digest(__file__, without=("gpu_cuda",))
 
 
 @dataclass(frozen=True)
-class FrameTimes:
+class FrameTimes(OnProcessor):
     """Cold frames from the caller's buffers to a picture, packing included, kernels compiled.
 
     Methods take turns, so that what else the machine does falls on all of them. Each frame is made
@@ -35,16 +32,6 @@ class FrameTimes:
     rounds: int
 
     cost = 10.0
-
-    @property
-    def code(self):
-        """Digest of the algorithm."""
-        return _CODE
-
-    @property
-    def device(self):
-        """Name of the processor."""
-        return processor()
 
     def run(self, scene, seed, progress=None):
         """Make the frames.

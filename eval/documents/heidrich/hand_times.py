@@ -6,14 +6,11 @@ from dataclasses import dataclass
 import numpy as np
 import pandas as pd
 
-from eval.device import processor
 from eval.methods.realtime import Frames
+from eval.on_processor import OnProcessor
 from eval.outcome import Outcome
-from stylit_ref.machine.code_digest import code_digest
 from stylit_ref.machine.forks import available_threads
 from stylit_ref.realtime.params import RealtimeParams
-
-_CODE = code_digest(__file__, without=("gpu_cuda",))
 
 WAITED = {
     "cold": "another target, from nothing",
@@ -24,7 +21,7 @@ WAITED = {
 
 
 @dataclass(frozen=True)
-class HandTimes:
+class HandTimes(OnProcessor):
     """Frames on all threads, from the caller's buffers to a picture, kernels compiled.
 
     Presets and what is waited for take turns, so that what else the machine does falls on all.
@@ -41,16 +38,6 @@ class HandTimes:
 
     name = "hand"
     cost = 5.0
-
-    @property
-    def code(self):
-        """Digest of the algorithm."""
-        return _CODE
-
-    @property
-    def device(self):
-        """Name of the processor."""
-        return processor()
 
     def run(self, scene, seed, progress=None):
         """Make the frames.

@@ -3,38 +3,33 @@
 import time
 from dataclasses import dataclass, replace
 
+import numpy as np
 import pandas as pd
 
-from eval.device import processor
 from eval.methods.realtime import Frames, Realtime, outcome_of
 from eval.metrics.image_energy import image_energy
+from eval.on_processor import OnProcessor
 from eval.outcome import Outcome
-from stylit_ref.machine.code_digest import code_digest
+from stylit_ref.machine.thread_count import using_threads
+from stylit_ref.realtime import passes
+from stylit_ref.realtime.exemplar import Exemplar
+from stylit_ref.realtime.formulae.packed_nnf import places_of
+from stylit_ref.realtime.layout import Layout
 from stylit_ref.realtime.packing.stage import STAGE_BUFFERS
 from stylit_ref.realtime.params import RealtimeParams
-
-_CODE = code_digest(__file__, without=("gpu_cuda",))
+from stylit_ref.realtime.refinement import Refinement, refine, start_level, threads_of_level
+from stylit_ref.realtime.target import Target
 
 TOLERATED = 1.02
 """Energy may rise by so much while buffers are left out."""
 
 
 @dataclass(frozen=True)
-class Hybrid:
+class Hybrid(OnProcessor):
     """The optimized method, but for the finest level, which compares patches as the simple one."""
 
     name = "hybrid"
     cost = 0.2
-
-    @property
-    def code(self):
-        """Digest of the algorithm."""
-        return _CODE
-
-    @property
-    def device(self):
-        """Name of the processor."""
-        return processor()
 
     def frames(self, scene, seed, threads=None):
         """A session that makes frames of the scene."""
@@ -46,27 +41,51 @@ class Hybrid:
 
 
 class _HybridFrames:
-    """Two sessions: one for the coarse levels, whose NNF the other refines at the finest."""
+    """The coarse levels as the optimized method has them, then the finest in a session of its own.
+
+    Each level does what either method does there, and nothing else: no picture is blended that the
+    next level does not read.
+    """
 
     def __init__(self, scene, seed, threads):
-        optimized = RealtimeParams.preset("optimized")
-        coarse = replace(optimized, iterations=(0, *optimized.iterations))
-        self._coarse = Frames(scene, coarse, (), seed, threads)
+        self._seed, self._threads = seed, threads
         patches = RealtimeParams.preset("simple", levels=1, start="vote")
-        self._fine = Frames(scene, patches, (), seed, threads)
-        self._fine.take()  # once: the finest level reads the style alone
-        self.session, self.size = self._fine.session, self._fine.size
-        self.source_size = self._fine.source_size
+        fine = Frames(scene, patches, (), seed, threads)
+        fine.take()  # once: the finest level reads the style alone
+        self.session, self.size, self.source_size = fine.session, fine.size, fine.source_size
+        self._buffers, self._packing = fine.target, fine.packing
+        channels = len(self._packing.channels)
+        layout = Layout(RealtimeParams.preset("optimized"), channels, passes)
+        self._refinement = Refinement(layout, (1,) * channels)
+        self._exemplar = Exemplar(*self.source_size, layout)
+        self._exemplar.set_guides(fine.source_guides)
+        self._exemplar.set_style(scene.style)
+        self._exemplar.join()
+        self._target = Target(*self.size, layout)
+        self._stop = np.zeros(1, np.uint8)
 
     def frame(self):
         """A cold frame, (H, W, 3) uint8."""
-        self._coarse.frame()
-        self.session.nnf = self._coarse.session.nnf
+        self._packing.pack_into(self._buffers, self._target.view)
+        self.session.nnf = places_of(self._coarse_levels())
         return self.session.frame(warm=True)
+
+    def _coarse_levels(self):
+        """The NNF with which the finest level begins."""
+        exemplar, target = self._exemplar, self._target
+        nnf = [np.empty(grid, np.int32) for grid in target.grids]
+        with using_threads(self._threads):
+            target.view_changed()
+            for level in range(len(nnf) - 1, 0, -1):
+                with using_threads(threads_of_level(target, level)):
+                    start_level(exemplar, nnf, level, self._seed)
+                    refine(exemplar, target, self._refinement, nnf, level, self._seed, self._stop)
+            start_level(exemplar, nnf, 0, self._seed)
+        return nnf[0]
 
 
 @dataclass(frozen=True)
-class FewestBuffers:
+class FewestBuffers(OnProcessor):
     """Leave out one buffer, then more, the least missed first, while energy allows it.
 
     Attributes
@@ -82,16 +101,6 @@ class FewestBuffers:
     def name(self):
         """The method's, and what is asked."""
         return f"{self.method.name}, fewest buffers"
-
-    @property
-    def code(self):
-        """Digest of the algorithm."""
-        return _CODE
-
-    @property
-    def device(self):
-        """Name of the processor."""
-        return processor()
 
     def run(self, scene, seed, progress=None):
         """Try.

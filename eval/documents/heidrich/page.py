@@ -43,6 +43,7 @@ def _sections(plan, report):
         *_large(plan, report),
         *_figures(plan, report),
         *_choices(plan, report),
+        *(block for aside in plan.asides for block in aside.sections(report)),
         Path(__file__).with_name("left_open.md").read_text("utf-8"),
         "## What the numbers are",
         definitions((*tables.SHOWN, "background")),

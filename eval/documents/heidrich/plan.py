@@ -4,6 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache, cached_property
 from itertools import chain, combinations
+from typing import Any
 
 from eval.documents.heidrich.dense import Dense
 from eval.documents.heidrich.frame_times import FrameTimes
@@ -108,6 +109,8 @@ class Plan:
         The scene of a style at the thesis' size, if ``shown`` gives smaller ones.
     turning : Job, optional
         The run of the turning target, if it is rendered.
+    asides : tuple
+        Further sections of the page, each with ``tasks``, ``claims()`` and ``sections(report)``.
     """
 
     name: str
@@ -117,6 +120,7 @@ class Plan:
     sides: tuple[int, ...] = SIDES
     large: Callable[[str], Scene] | None = None
     turning: Job | None = None
+    asides: tuple[Any, ...] = ()
 
     @cached_property
     def _scene(self):
@@ -252,9 +256,12 @@ class Plan:
                 self.times_of_few, self.hand_times,
             )
         ]  # fmt: skip
-        sheet = [self.picture(style, name) for style in STYLES for name in METHODS]
-        pictures = {job.key: Task(job, METRICS) for job in self.studies}
-        pictures |= {job.key: Task(job, (*METRICS, "background")) for job in sheet}
+        tasks += [Task(job, METRICS) for job in self.studies]
+        tasks += [
+            Task(self.picture(style, name), (*METRICS, "background"))
+            for style in STYLES
+            for name in METHODS
+        ]
         tasks += [Task(self.fewest(style, "simple"), ()) for style in self.preset.studied]
         if self.large is not None:
             tasks += [
@@ -264,7 +271,18 @@ class Plan:
             ]
         if self.turning is not None:
             tasks.append(Task(self.turning, ()))
-        return [*tasks, *pictures.values()]
+        for aside in self.asides:
+            tasks += aside.tasks
+        return _each_once(tasks)
+
+
+def _each_once(tasks):
+    """Every run once, with all metrics that any of its tasks asks for."""
+    jobs, metrics = {}, {}
+    for job, names in tasks:
+        jobs[job.key] = job
+        metrics.setdefault(job.key, {}).update(dict.fromkeys(names))
+    return [Task(job, tuple(metrics[key])) for key, job in jobs.items()]
 
 
 def _realtime_method(name, preset, weights=(), **changes):

@@ -8,23 +8,20 @@ from dataclasses import dataclass, replace
 import pandas as pd
 
 from data_gen.manifest import Manifest
-from eval.device import processor
 from eval.documents.heidrich.stage import of_stage
 from eval.flicker import calm, read_motion
 from eval.methods.realtime import Frames
 from eval.metrics.image_energy import image_energy
+from eval.on_processor import OnProcessor
 from eval.outcome import Outcome
 from eval.runs.job import Job
-from stylit_ref.machine.code_digest import code_digest
 from stylit_ref.realtime.params import RealtimeParams
-
-_CODE = code_digest(__file__, without=("gpu_cuda",))
 
 SCENE = "turning"
 
 
 @dataclass(frozen=True)
-class Turning:
+class Turning(OnProcessor):
     """Every frame of ``turning``, warm and cold, and a picture that is never drawn anew.
 
     Attributes
@@ -44,16 +41,6 @@ class Turning:
 
     name = "turning"
     cost = 50.0
-
-    @property
-    def code(self):
-        """Digest of the algorithm."""
-        return _CODE
-
-    @property
-    def device(self):
-        """Name of the processor."""
-        return processor()
 
     def run(self, scene, seed, progress=None):
         """Make the frames.

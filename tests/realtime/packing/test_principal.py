@@ -2,15 +2,15 @@
 
 import numpy as np
 import pytest
-from scipy.stats import spearmanr
 
 from data_gen.manifest import Manifest
+from eval.documents.heidrich.house import BUFFERS, all_channels, rank_correlations
 from eval.scenes import BUNDLED
 from stylit_ref import read_uint8
 from stylit_ref.realtime.packing import PrincipalPacking, StagePacking, UnpackedStage, pack
 from stylit_ref.realtime.packing.principal import SHIFT, principal_axes
 
-HOUSE = "FULL", "LDE", "LSE", "LDDE", "FRESNEL", "LIGHTMASK", "NORMAL", "IDMASK"
+HOUSE = (*BUFFERS, "IDMASK")
 
 
 def random_buffers(size, seed=0):
@@ -117,31 +117,11 @@ def test_a_source_of_one_colour_has_no_components():
     assert (pack(packing, flat)[0] == 128).all()
 
 
-def rank_correlations(source, target, packed_source, packed_target):
-    """Of squared distances of pixels before and after: all pairs, and each pixel's nearest 1 %."""
-    rng = np.random.default_rng(0)
-    some = rng.choice(len(source), 4000, replace=False)
-    there = rng.choice(len(target), 150, replace=False)
-    before, after = (
-        ((b[there][:, None].astype(np.int64) - a[some][None]) ** 2).sum(axis=2)
-        for a, b in ((source, target), (packed_source, packed_target))
-    )
-    near = np.argsort(before, axis=1, kind="stable")[:, :40]
-    pairs = (np.take_along_axis(distances, near, axis=1).ravel() for distances in (before, after))
-    return spearmanr(before.ravel(), after.ravel())[0], spearmanr(*pairs)[0]
-
-
-def flat(buffers, names):
-    size = buffers["FULL"].shape[0] * buffers["FULL"].shape[1]
-    return np.concatenate([buffers[name].reshape(size, -1) for name in names], axis=1)
-
-
 def test_distances_in_the_house_keep_their_order():
-    source, target = read("house/source", HOUSE), read("house/1_1", HOUSE)
-    packing = PrincipalPacking.of_source(source)
-    packed = (pack(packing, view)[0].reshape(-1, 8) for view in (source, target))
-    whole = (flat(view, HOUSE[:-1]) for view in (source, target))
-    every, nearest = rank_correlations(*whole, *packed)
+    views = [read(view, HOUSE) for view in ("house/source", "house/1_1")]
+    packing = PrincipalPacking.of_source(views[0])
+    packed = (pack(packing, view)[0] for view in views)
+    every, nearest = rank_correlations(*map(all_channels, views), *packed)
     assert every > 0.999
     assert nearest > 0.985
 
@@ -149,8 +129,7 @@ def test_distances_in_the_house_keep_their_order():
 def test_distances_on_the_stage_keep_their_order():
     views = [read(view, StagePacking.names) for view in ("source", "golem")]
     whole, packed = (
-        [pack(packing, view)[0].reshape(-1, len(packing.channels)) for view in views]
-        for packing in (UnpackedStage(), StagePacking())
+        [pack(packing, view)[0] for view in views] for packing in (UnpackedStage(), StagePacking())
     )
     every, nearest = rank_correlations(*whole, *packed)
     assert every > 0.98
