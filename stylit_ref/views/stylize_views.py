@@ -11,17 +11,17 @@ from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
 from stylit_ref.stylization.params import Params
-from stylit_ref.views.distributed import Job, do_on_cluster
 from stylit_ref.views.frame_result import FrameResult
 from stylit_ref.views.frame_step import FrameStep
 from stylit_ref.views.frames import Edges
-from stylit_ref.views.keys import code_key, keys_of
 from stylit_ref.views.params import SEQUENCE, Coherence
 from stylit_ref.views.problem import make_problem
 from stylit_ref.views.shot import ArrayShot, Shot
-from stylit_ref.views.walk import Walk
-from stylit_ref.views.work_folder import WorkFolder
-from stylit_ref.views.workbench import Workbench
+from stylit_ref.views.work.distributed import Job, do_on_cluster
+from stylit_ref.views.work.keys import code_key, keys_of
+from stylit_ref.views.work.walk import Walk
+from stylit_ref.views.work.work_folder import WorkFolder
+from stylit_ref.views.work.workbench import Workbench
 
 Frames = Shot | Sequence[Sequence[NDArray[np.uint8]]]
 """A shot, or the guides of every frame."""

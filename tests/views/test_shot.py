@@ -18,8 +18,8 @@ from stylit_ref import (
     write_image,
 )
 from stylit_ref.views.file_shot import files_digest
-from stylit_ref.views.keys import keys_of
 from stylit_ref.views.problem import make_problem
+from stylit_ref.views.work.keys import keys_of
 
 PARAMS = Params(**EFFORT)
 

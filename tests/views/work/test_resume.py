@@ -10,7 +10,7 @@ import pytest
 from small_shot import EFFORT, sliding
 
 from stylit_ref import Coherence, InputError, Motion, Params, stylize_views
-from stylit_ref.views.work_folder import WorkFolder
+from stylit_ref.views.work.work_folder import WorkFolder
 
 PARAMS = Params(**EFFORT)
 TASKS = 3 * (2 + 1)
@@ -139,7 +139,7 @@ def test_damaged_states_are_made_again(tmp_path, expected, order):
 
 
 def test_a_state_that_is_lost_as_the_run_goes_on_is_made_again(tmp_path, expected, monkeypatch):
-    monkeypatch.setattr("stylit_ref.views.walk.ROOM", 0)
+    monkeypatch.setattr("stylit_ref.views.work.walk.ROOM", 0)
     lost = []
 
     def lose(step):

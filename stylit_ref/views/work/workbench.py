@@ -17,12 +17,12 @@ from stylit_ref.stylization.target import TargetLevel
 from stylit_ref.views.coherence import Neighbour, places_of, pull
 from stylit_ref.views.formulae.fold import ONE
 from stylit_ref.views.frames import check_edges
-from stylit_ref.views.kept import Kept
 from stylit_ref.views.packing import coherent_packing
 from stylit_ref.views.params import PLAIN
 from stylit_ref.views.plan import Task
 from stylit_ref.views.problem import Problem
-from stylit_ref.views.state import State
+from stylit_ref.views.work.kept import Kept
+from stylit_ref.views.work.state import State
 
 ROOM = 512 << 20
 """Bytes for what frames need again: packed guides, levels, and where their pixels lie in others."""
