@@ -3,7 +3,7 @@
 import hashlib
 import sys
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import lru_cache
 from pathlib import Path
 from typing import Protocol
@@ -19,6 +19,8 @@ from stylit_ref.files.picture import read_picture
 from stylit_ref.machine.code_digest import code_digest
 from stylit_ref.stylization.checks import size_text
 from stylit_ref.views.frames import Motion
+
+_CHANGED = "one of its files has changed since the work began; give the command again"
 
 
 class MotionSource(Protocol):
@@ -36,6 +38,9 @@ class MotionSource(Protocol):
 @dataclass(frozen=True)
 class FileShot:
     """A shot of files, which are read when a frame is worked on.
+
+    A digest that was asked for is remembered, here and in copies for other processes. Whoever reads
+    the frame later is refused if its files have changed since.
 
     Attributes
     ----------
@@ -60,6 +65,9 @@ class FileShot:
     encodings: tuple[GuideEncoding, ...]
     channels: tuple[int, ...]
     motion_sources: Mapping[tuple[int, int], MotionSource]
+    _told: dict[int | tuple[int, int], str] = field(
+        default_factory=dict, init=False, repr=False, compare=False
+    )
 
     @property
     def pairs(self) -> Sequence[tuple[int, int]]:
@@ -78,22 +86,43 @@ class FileShot:
         Raises
         ------
         InputError
-            If a file cannot be read, or has another size or other channels.
+            If a file cannot be read, has another size or other channels, or has changed.
         """
         files = zip(self.guide_files[frame], self.encodings, self.channels, strict=True)
-        return [self._guide(*each) for each in files]
+        guides = [self._guide(*each) for each in files]
+        now = self._digest_of_guides(frame)
+        if self._told.get(frame, now) != now:
+            files = ", ".join(dict.fromkeys(self.guide_files[frame]))
+            raise InputError(f"frame {self.names[frame]}: {_CHANGED} ({files})")
+        return guides
 
     def motion(self, to: int, other: int) -> Motion:
-        """Read the motion of a pair."""
-        return self.motion_sources[to, other].read()
+        """Read the motion of a pair.
+
+        Raises
+        ------
+        InputError
+            If a file cannot be read, or has changed.
+        """
+        source = self.motion_sources[to, other]
+        motion, now = source.read(), source.digest()
+        if self._told.get((to, other), now) != now:
+            names = f"the motion from frame {self.names[to]} into frame {self.names[other]}"
+            raise InputError(f"{names}: {_CHANGED}")
+        return motion
 
     def guides_digest(self, frame: int) -> str:
         """A digest of the bytes of a frame's files, and of how they are read."""
-        return files_digest(self.guide_files[frame], repr((self.encodings, self.channels)))
+        self._told[frame] = self._digest_of_guides(frame)
+        return self._told[frame]
 
     def motion_digest(self, to: int, other: int) -> str:
         """A digest of the motion of a pair."""
-        return self.motion_sources[to, other].digest()
+        self._told[to, other] = self.motion_sources[to, other].digest()
+        return self._told[to, other]
+
+    def _digest_of_guides(self, frame):
+        return files_digest(self.guide_files[frame], repr((self.encodings, self.channels)))
 
     def _guide(self, file, encoding, channels):
         picture = read_picture(file, is_guide=True)
