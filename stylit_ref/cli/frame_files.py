@@ -6,8 +6,10 @@ from collections.abc import Sequence, Set
 from typing import NamedTuple
 
 from stylit_ref.cli.guide_options import files_of_side
+from stylit_ref.cli.shot_problems import ShotProblems
 from stylit_ref.errors import InputError
 from stylit_ref.files.disk.frame_ranges import frames_of, range_text
+from stylit_ref.files.disk.paths import is_there
 from stylit_ref.files.disk.patterns import FramePattern, is_pattern
 
 
@@ -28,15 +30,15 @@ class FrameFiles(NamedTuple):
     guides: list[list[str]]
 
 
-def find_frames(options: argparse.Namespace, problems: list[str]) -> FrameFiles:
+def find_frames(options: argparse.Namespace, problems: ShotProblems) -> FrameFiles:
     """The frames that ``--frames`` names, or those on the disk, and all guides.
 
     Parameters
     ----------
     options : argparse.Namespace
         With ``--guide``, ``--guide-layers`` and ``--frames``.
-    problems : list of str
-        What is missing is added to it, a sentence each.
+    problems : ShotProblems
+        Is told what is missing, and the patterns of the files.
 
     Returns
     -------
@@ -56,13 +58,16 @@ def find_frames(options: argparse.Namespace, problems: list[str]) -> FrameFiles:
         for pattern, there in zip(patterns, found, strict=True)
         if not there or not set(wanted).issubset(there)
     ]
-    problems += missing
+    for sentence in missing:
+        problems.add(sentence)
     sources = _side(options, [source for source, _ in options.guide], problems)
     guides = [
         _side(options, [pattern.path(frame) for pattern in patterns], problems)
         for frame in wanted
         if not missing
     ]
+    for frame, files in zip(wanted, guides, strict=False):  # no guides where frames are missing
+        problems.patterns |= _typed(files, patterns, frame)
     return FrameFiles(tuple(wanted), sources, guides)
 
 
@@ -70,8 +75,18 @@ def _side(options, paths, problems) -> list[str]:
     try:
         return files_of_side(options, paths)
     except InputError as error:
-        problems.append(error.sentence)
+        problems.add(error.sentence)
         return []
+
+
+def _typed(files: Sequence[str], patterns: Sequence[FramePattern], frame: int) -> dict[str, str]:
+    """The pattern of each file of a frame, and the layer or the image in a folder behind it."""
+    return {
+        path: pattern.text + path.removeprefix(pattern.path(frame))
+        for path in files
+        for pattern in patterns
+        if path.startswith(pattern.path(frame))
+    }
 
 
 def pattern_of(text: str, parameter: str) -> FramePattern:
@@ -82,6 +97,7 @@ def pattern_of(text: str, parameter: str) -> FramePattern:
     InputError
         If it has no placeholder.
     """
+    refuse_star(text, parameter)
     if not is_pattern(text):
         raise InputError(
             f"{text}: names one file; write %04d, #### or $F4 where the number of the frame "
@@ -89,6 +105,22 @@ def pattern_of(text: str, parameter: str) -> FramePattern:
             parameter=parameter,
         )
     return FramePattern(os.path.expanduser(text))  # no shell does that within quotes
+
+
+def refuse_star(text: str, parameter: str) -> None:
+    """Refuse a name with a star, unless a file has that very name.
+
+    Raises
+    ------
+    InputError
+    """
+    if "*" in text and not is_there(text):
+        raise InputError(
+            f"{text}: has a star where the number of the frame stands; write %04d or #### for a "
+            "number of four digits, or %d for one without leading zeros, and put the name in "
+            "quotes",
+            parameter=parameter,
+        )
 
 
 def _all_between(frames: Set[int]) -> list[int]:

@@ -6,8 +6,9 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from stylit_ref.cli.frame_files import refuse_star
 from stylit_ref.cli.motion_in import check_convention
-from stylit_ref.cli.parser import Parser
+from stylit_ref.cli.parser import FRAMES, Parser
 from stylit_ref.errors import InputError
 from stylit_ref.files.colour.bit_depth import to_uint8_by_rows
 from stylit_ref.files.disk.patterns import FramePattern, is_pattern
@@ -48,12 +49,12 @@ def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
     check.set_defaults(command=run, parser=check)
     group = check.add_argument_group("options")
     group.add_argument(
-        "--guide", required=True, action="append", metavar="FRAMES",
+        "--guide", required=True, action="append", metavar=FRAMES,
         help="pictures of the frames, 'shot/beauty.%%04d.exr', with :LAYER behind the name of a "
         "multilayer file; or repeat --guide for every frame",
     )  # fmt: skip
     group.add_argument(
-        "--motion", required=True, action="append", metavar="FRAMES",
+        "--motion", required=True, action="append", metavar=FRAMES,
         help="vectors of the frames, 'shot/vector.%%04d.exr', or 'flow/%%02d_to_%%02d.flo' with a "
         "file for each pair; or repeat --motion for every frame",
     )  # fmt: skip
@@ -100,6 +101,10 @@ def _confirmed(wanted: str, verdict: Verdict) -> str:
 
 def _samples(guides: Sequence[str], motions: Sequence[str]) -> Iterator[Sample]:
     """What there is to look at."""
+    for text in guides:
+        refuse_star(text, "guide")
+    for text in motions:
+        refuse_star(text, "motion")
     if len(guides) > 1 or len(motions) > 1 or not is_pattern(guides[0]):
         yield from _of_files(guides, motions)
         return

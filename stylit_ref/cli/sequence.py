@@ -7,9 +7,10 @@ from stylit_ref.cli.guide_options import add_guide_options
 from stylit_ref.cli.images_in import add_style_option
 from stylit_ref.cli.method_options import chosen_params
 from stylit_ref.cli.motion_in import add_motion_options, find_motion
-from stylit_ref.cli.parser import Parser
-from stylit_ref.cli.shot_in import ShotFiles, missing_files, refuse_all
+from stylit_ref.cli.parser import FRAMES, Parser
+from stylit_ref.cli.shot_in import ShotFiles
 from stylit_ref.cli.shot_options import add_other_outputs, add_shot_options, chosen_coherence
+from stylit_ref.cli.shot_problems import ShotProblems
 from stylit_ref.cli.stylize_shot import stylize_shot
 from stylit_ref.views.params import SEQUENCE
 
@@ -47,19 +48,19 @@ def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
     parser.set_defaults(command=run, parser=parser)
     everyday = parser.add_argument_group("everyday options")
     add_style_option(everyday)
-    add_guide_options(everyday, "FRAMES", "of the frames")
+    add_guide_options(everyday, FRAMES, "of the frames")
     everyday.add_argument(
         "--frames", metavar="RANGE",
         help="frames to stylize: 1-100, every second one of them 1-100x2, and one more "
         "1-100x2,120 (default: all for which there are files)",
     )  # fmt: skip
     everyday.add_argument(
-        "--output", required=True, metavar="FRAMES",
+        "--output", required=True, metavar=FRAMES,
         help="the pictures to write; their suffix chooses the format (.png, .tif, .exr, ...)",
     )  # fmt: skip
     add_motion_options(everyday)
     add_shot_options(parser, everyday, SEQUENCE)
-    add_other_outputs(parser, "FRAMES", "'nnf.%%04d.npy'")
+    add_other_outputs(parser, FRAMES, "'nnf.%%04d.npy'")
 
 
 def run(options: argparse.Namespace) -> None:
@@ -70,10 +71,11 @@ def run(options: argparse.Namespace) -> None:
         pattern_of(text, name) if text else None
         for name, text in (("output", options.output), ("nnf", options.nnf))
     ]
-    problems: list[str] = []
+    problems = ShotProblems()
     found = find_frames(options, problems)
     motion = find_motion(options, found.frames, coherence.order, problems)
-    refuse_all([*problems, *missing_files([options.style, *found.source_guides])])
+    problems.add_missing([options.style, *found.source_guides])
+    problems.refuse()
     digits = len(str(found.frames[-1]))
     files = ShotFiles(
         options.style,
@@ -81,6 +83,7 @@ def run(options: argparse.Namespace) -> None:
         [str(frame).zfill(digits) for frame in found.frames],
         found.guides,
         motion,
+        problems,
     )
     pictures, fields = (
         [pattern.path(frame) for frame in found.frames] if pattern else [] for pattern in outputs

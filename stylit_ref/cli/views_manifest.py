@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from stylit_ref.errors import InputError
+from stylit_ref.errors import InputError, did_you_mean
 from stylit_ref.files.disk.paths import check_regular, existing_file
 from stylit_ref.views.frames import grid_pairs
 from stylit_ref.views.motion.conventions import AUTO, convention_named
@@ -134,7 +134,8 @@ def _checked(value, what, keys, needed) -> dict[str, Any]:
             raise InputError(f"{what} lacks {key!r}")
     for key, each in value.items():
         if key not in keys:
-            raise InputError(f"{what} has {key!r}; known are {', '.join(keys)}")
+            known = f"known are {', '.join(keys)}{did_you_mean(key, keys)}"
+            raise InputError(f"{what} has {key!r}; {known}")
         if not isinstance(each, keys[key]) or isinstance(each, bool):
             raise InputError(f"{key} of {what} is {each!r}; it must be {_KINDS[keys[key]]}")
     return value

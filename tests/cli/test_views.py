@@ -120,6 +120,8 @@ def test_missing_files_are_all_named_at_once(grid, capsys):
         ({"grid": ["a"]}, "grid must be a list of rows"),
         ({"pairs": [["a", "b"]]}, "either grid, which has rows of views, or pairs"),
         ({"motion": "flow.{view}.flo"}, "'flow.{view}.flo' lacks {other}"),
+        ({"guide": []}, "it has 'guide'; known are style, guides, grid,"),
+        ({"guide": []}, "; did you mean guides?"),
         ({"motion_convention": "blend"}, "'blend'; write auto or one of"),
         ({"cameras": {"4": {}}}, "cameras has '4', which is none of the views"),
     ],
