@@ -1,15 +1,18 @@
-"""Washes: soft colour with wandering borders, and a few pale lines.
+"""Washes that dry in blotches, with wandering borders and a few pale lines.
 
-What coherence leaves of a difference grows with the steepness of the paint. Ink is steep; this is
-not.
+Blotches lie where they will, as strokes do, but no edge of them is steep. What coherence leaves of
+a difference grows with the steepness of the paint: ink is steep, this is not.
 """
 
 import numpy as np
 
 from data_gen.lines import draw_lines
 from data_gen.sketches import strokes
+from data_gen.styles.painting import noise
 
 _SHADOW = np.array((0.34, 0.33, 0.48))
+_BLOTCH = 10
+"""Thin strokes across."""
 _PENCIL = np.array((0.38, 0.36, 0.40))
 
 
@@ -26,6 +29,7 @@ def washed(building, seed=61):
         (bright, 0.30 * building.body, 5),
         (violet, 0.40 * is_something * building.shade, 7),
     ):
+        amount = amount * (1 + 0.25 * noise(rng, shape, _BLOTCH * unit))
         picture = strokes.washed(rng, picture, colour, amount, unit, spill)
     outlines = building.lines[building.is_outline]
     layers = [
