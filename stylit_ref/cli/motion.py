@@ -2,6 +2,7 @@
 
 import argparse
 from collections.abc import Iterator, Sequence
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +13,7 @@ from stylit_ref.cli.parser import FRAMES, Parser
 from stylit_ref.errors import InputError
 from stylit_ref.files.colour.bit_depth import to_uint8_by_rows
 from stylit_ref.files.disk.patterns import FramePattern, is_pattern
+from stylit_ref.files.layers.names import SeveralLayersError
 from stylit_ref.files.motion_file import read_vectors
 from stylit_ref.files.picture import read_picture
 from stylit_ref.views.motion.check import Verdict, check_motion
@@ -128,11 +130,12 @@ def _samples(guides: Sequence[str], motions: Sequence[str]) -> Iterator[Sample]:
             parameter="motion",
         )
     for frame in _spread(inner or usable):
-        own = _brightness(pictures.path(frame))
-        near = {step: pictures.path(frame + step) for step in (1, -1) if frame + step in shown}
-        path = vectors.path(frame)
+        own, path = _shown(pictures, frame), vectors.path(frame)
+        near = [step for step in (1, -1) if frame + step in shown]
         yield Sample(
-            path, read_vectors(path), {step: (own, _brightness(of)) for step, of in near.items()}
+            path,
+            read_vectors(path),
+            {step: (own, _shown(pictures, frame + step)) for step in near},
         )
 
 
@@ -145,13 +148,13 @@ def _of_pairs(pictures: FramePattern, vectors: FramePattern, shown: Sequence[int
         )
     for first, second in _spread(pairs):
         path = vectors.path_of_pair(first, second)
-        yield _of_pair(path, pictures.path(first), pictures.path(second))
+        yield _of_pair(path, _shown(pictures, first), _shown(pictures, second))
 
 
 def _of_files(guides, motions):
     """Files that are named one by one."""
     if len(guides) == 2 and len(motions) == 1:
-        yield _of_pair(motions[0], *guides)
+        yield _of_pair(motions[0], *map(_brightness, guides))
         return
     if len(guides) != len(motions) or len(guides) < 2:
         raise InputError(
@@ -166,9 +169,9 @@ def _of_files(guides, motions):
         yield Sample(path, read_vectors(path), pictures)
 
 
-def _of_pair(path, first, second):
+def _of_pair(path, here, there):
     """Two frames: vectors of one direction may belong to either, and lead into the other."""
-    vectors, here, there = read_vectors(path), _brightness(first), _brightness(second)
+    vectors = read_vectors(path)
     pictures = {1: (here, there)}
     if len(vectors.pairs) == 1:
         pictures[-1] = there, here
@@ -178,6 +181,14 @@ def _of_pair(path, first, second):
 def _spread(chosen):
     stride = -(-len(chosen) // MOST_FRAMES)
     return chosen[::stride]
+
+
+def _shown(pictures: FramePattern, frame: int) -> NDArray[np.float32]:
+    """The brightness of a frame."""
+    try:
+        return _brightness(pictures.path(frame))
+    except SeveralLayersError as error:
+        raise SeveralLayersError(Path(pictures.text), error.best, error.names) from None
 
 
 def _brightness(path) -> NDArray[np.float32]:

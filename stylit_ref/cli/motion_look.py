@@ -1,6 +1,6 @@
 """Look at files of motion before any is used: what their headers tell."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
 from stylit_ref.cli.motion_files import (
@@ -13,7 +13,10 @@ from stylit_ref.cli.motion_files import (
 from stylit_ref.cli.shot_problems import ShotProblems
 from stylit_ref.errors import InputError
 from stylit_ref.files.disk.paths import split_layer
+from stylit_ref.files.layers.channels import are_labels, words_of
 from stylit_ref.files.layers.contents import contents_of
+from stylit_ref.files.layers.layer import Layer
+from stylit_ref.files.layers.names import SeveralLayersError
 from stylit_ref.files.motion_file import look_at_vectors
 from stylit_ref.files.picture import plain_layer
 from stylit_ref.notes import note
@@ -97,7 +100,7 @@ def _look_at_vectors(path: str, convention: str, is_of_pair: bool) -> Size:
 
 
 def _look_at_depth(path: str) -> Size:
-    layer = plain_layer(path)
+    layer = _layer_of(path, lambda words: not words.isdisjoint(("depth", "z")))
     if layer is None:
         return _size_of(path)
     if len(layer.roles) > 1 or set(layer.types) <= _WHOLE_NUMBERS:
@@ -106,12 +109,22 @@ def _look_at_depth(path: str) -> Size:
 
 
 def _look_at_ids(path: str) -> Size:
-    layer = plain_layer(path)
+    layer = _layer_of(path, are_labels)
     if layer is None:
         return _size_of(path)
     if len(layer.roles) > 1 and not set(layer.types) <= _WHOLE_NUMBERS:
         raise InputError(NO_IDS.format(path))
     return layer.size
+
+
+def _layer_of(path: str, is_meant: Callable[[set[str]], bool]) -> Layer | None:
+    """The layer of a path; of several one is offered whose name says that it is meant."""
+    try:
+        return plain_layer(path)
+    except SeveralLayersError as error:
+        meant = [name for name in error.names if is_meant(words_of(name))]
+        best = meant[0] if meant else error.best
+        raise SeveralLayersError(error.file, best, error.names) from None
 
 
 def _size_of(path):

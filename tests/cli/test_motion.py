@@ -122,6 +122,12 @@ def _moved(image, shift):
     return map_coordinates(image, places, order=1, mode="nearest").round().astype(np.uint8)
 
 
+def test_several_layers_are_told_of_the_pattern(capsys):
+    frames = f"{FOLDER}/perspective/shot.%04d.exr"
+    message = refused(capsys, check("--guide", frames, "--motion", frames))
+    assert f"several layers; write {frames}:ViewLayer.Combined; its" in message
+
+
 @pytest.mark.parametrize("option", ["--guide", "--motion"])
 def test_a_star_is_no_number_of_a_frame(capsys, shot, option):
     words = {"--guide": "square.%d.png", "--motion": "ahead.%d.flo"}

@@ -355,6 +355,17 @@ def test_several_layers_of_a_pattern_are_told_of_the_pattern(layered, capsys):
     )
 
 
+@pytest.mark.parametrize(("option", "layer"), [("--depth", "Depth"), ("--ids", "View.IndexOB")])
+def test_of_several_layers_the_one_that_is_meant_is_offered(layered, capsys, option, layer):
+    folder, command = layered
+    for frame in (1, 2, 3):
+        layers = {"Depth.Z": frame, "View.Combined.R": 1, "View.IndexOB.X": 1}
+        write_exr(folder / f"scene.{frame:04d}.exr", layers, (38, 44))
+    moved = "--motion", f"{folder}/flow.%04d.flo", option, f"{folder}/scene.%04d.exr"
+    message = refused(capsys, main([*command, "--guide-layers", "Depth", *moved]))
+    assert f"has several layers; write {folder}/scene.%04d.exr:{layer}; its layers" in message
+
+
 def test_a_layer_that_is_missing_is_told_once(layered, capsys):
     folder, command = layered
     write_exr(

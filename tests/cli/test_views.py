@@ -122,6 +122,7 @@ def test_missing_files_are_all_named_at_once(grid, capsys):
         ({"motion": "flow.{view}.flo"}, "'flow.{view}.flo' lacks {other}"),
         ({"guide": []}, "it has 'guide'; known are style, guides, grid,"),
         ({"guide": []}, "; did you mean guides?"),
+        ({"guides": [{"sorce": "a.png"}]}, "guide 1 has 'sorce'; known are source, view, weight;"),
         ({"motion_convention": "blend"}, "'blend'; write auto or one of"),
         ({"cameras": {"4": {}}}, "cameras has '4', which is none of the views"),
     ],
