@@ -20,18 +20,16 @@ class FrameFiles(NamedTuple):
     ----------
     frames : tuple of int
         Their numbers, in ascending order.
-    source_guides : list of str
     guides : list of list of str
         For every frame the file of each guide.
     """
 
     frames: tuple[int, ...]
-    source_guides: list[str]
     guides: list[list[str]]
 
 
 def find_frames(options: argparse.Namespace, problems: ShotProblems) -> FrameFiles:
-    """The frames that ``--frames`` names, or those on the disk, and all guides.
+    """The frames that ``--frames`` names, or those on the disk, and their guides.
 
     Parameters
     ----------
@@ -54,39 +52,51 @@ def find_frames(options: argparse.Namespace, problems: ShotProblems) -> FrameFil
     wanted = frames_of(options.frames) if options.frames else _all_between(set().union(*found))
     remedy = "" if options.frames else "; render what is missing, or choose frames with --frames"
     missing = [
-        _why_missing(pattern.text, there, wanted) + remedy * bool(there)
+        why_missing(pattern.text, there, wanted) + remedy * bool(there)
         for pattern, there in zip(patterns, found, strict=True)
         if not there or not set(wanted).issubset(there)
     ]
     for sentence in missing:
         problems.add(sentence)
-    sources = _side(options, [source for source, _ in options.guide], problems)
-    guides = [
-        _side(options, [pattern.path(frame) for pattern in patterns], problems)
-        for frame in wanted
-        if not missing
-    ]
-    for frame, files in zip(wanted, guides, strict=False):  # no guides where frames are missing
-        problems.patterns |= _typed(files, patterns, frame)
-    return FrameFiles(tuple(wanted), sources, guides)
+    guides = [files_of_frame(options, patterns, frame, problems) for frame in wanted if not missing]
+    return FrameFiles(tuple(wanted), guides)
 
 
-def _side(options, paths, problems) -> list[str]:
-    try:
-        return files_of_side(options, paths)
-    except InputError as error:
-        problems.add(error.sentence)
-        return []
+def files_of_frame(
+    options: argparse.Namespace,
+    patterns: Sequence[FramePattern],
+    frame: int,
+    problems: ShotProblems,
+) -> list[str]:
+    """The file of each guide of a frame, on one side of ``--guide``.
 
-
-def _typed(files: Sequence[str], patterns: Sequence[FramePattern], frame: int) -> dict[str, str]:
-    """The pattern of each file of a frame, and the layer or the image in a folder behind it."""
-    return {
+    Parameters
+    ----------
+    options : argparse.Namespace
+        With ``--guide-layers``.
+    patterns : sequence of FramePattern
+        One for each ``--guide``.
+    frame : int
+    problems : ShotProblems
+        Is told what is missing, and the patterns of the files.
+    """
+    files = side_of(options, [pattern.path(frame) for pattern in patterns], problems)
+    problems.patterns |= {  # with the layer, or the image in a folder, behind the pattern
         path: pattern.text + path.removeprefix(pattern.path(frame))
         for path in files
         for pattern in patterns
         if path.startswith(pattern.path(frame))
     }
+    return files
+
+
+def side_of(options: argparse.Namespace, paths: Sequence[str], problems: ShotProblems) -> list[str]:
+    """As :func:`files_of_side`, but what is missing is added to the problems."""
+    try:
+        return files_of_side(options, paths)
+    except InputError as error:
+        problems.add(error.sentence)
+        return []
 
 
 def pattern_of(text: str, parameter: str) -> FramePattern:
@@ -128,7 +138,8 @@ def _all_between(frames: Set[int]) -> list[int]:
     return list(range(min(frames), max(frames) + 1)) if frames else []
 
 
-def _why_missing(text: str, there: Sequence[int], wanted: Sequence[int]) -> str:
+def why_missing(text: str, there: Sequence[int], wanted: Sequence[int]) -> str:
+    """The sentence on a pattern that has files ``there``, and not all that are wanted."""
     if not there:
         return f"{text}: there is no file of such a name"
     return f"{text}: there is no file for {counted(sorted(set(wanted).difference(there)))}"

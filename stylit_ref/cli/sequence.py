@@ -4,9 +4,9 @@ import argparse
 
 from stylit_ref.cli.frame_files import find_frames, pattern_of
 from stylit_ref.cli.guide_options import add_guide_options
-from stylit_ref.cli.images_in import add_style_option
 from stylit_ref.cli.method_options import chosen_params
 from stylit_ref.cli.motion_in import add_motion_options, find_motion
+from stylit_ref.cli.paintings import find_paintings
 from stylit_ref.cli.parser import FRAMES, Parser
 from stylit_ref.cli.shot_in import ShotFiles
 from stylit_ref.cli.shot_options import add_other_outputs, add_shot_options, chosen_coherence
@@ -47,7 +47,11 @@ def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
     )
     parser.set_defaults(command=run, parser=parser)
     everyday = parser.add_argument_group("everyday options")
-    add_style_option(everyday)
+    everyday.add_argument(
+        "--style", required=True, metavar="IMAGE",
+        help="the painting; or 'painted.%%04d.png' for several painted frames, whose guides are "
+        "SOURCE, with a number too",
+    )  # fmt: skip
     add_guide_options(everyday, FRAMES, "of the frames")
     everyday.add_argument(
         "--frames", metavar="RANGE",
@@ -72,14 +76,13 @@ def run(options: argparse.Namespace) -> None:
         for name, text in (("output", options.output), ("nnf", options.nnf))
     ]
     problems = ShotProblems()
-    found = find_frames(options, problems)
+    paintings, found = find_paintings(options, problems), find_frames(options, problems)
     motion = find_motion(options, found.frames, coherence.order, problems)
-    problems.add_missing([options.style, *found.source_guides])
+    problems.add_missing(path for side in paintings.guides for path in side)
     problems.refuse()
     digits = len(str(found.frames[-1]))
     files = ShotFiles(
-        options.style,
-        found.source_guides,
+        *paintings,
         [str(frame).zfill(digits) for frame in found.frames],
         found.guides,
         motion,

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from stylit_ref.cli.guide_options import guide_encoding, naming_layers
 from stylit_ref.cli.motion_files import MotionFiles
 from stylit_ref.cli.motion_look import check_motion_files
+from stylit_ref.cli.paintings import side_by_side
 from stylit_ref.cli.progress_line import ProgressLine
 from stylit_ref.cli.shot_problems import ShotProblems
 from stylit_ref.errors import InputError
@@ -28,8 +29,10 @@ class ShotFiles(NamedTuple):
 
     Attributes
     ----------
-    style : str
-    source_guides : sequence of str
+    paintings : sequence of str
+        One, or several painted frames.
+    source_guides : sequence of sequence of str
+        For every painting the file of each guide.
     names : sequence of str
         What the frames are called.
     guides : sequence of sequence of str
@@ -44,8 +47,8 @@ class ShotFiles(NamedTuple):
         What is known of the camera of every frame.
     """
 
-    style: str
-    source_guides: Sequence[str]
+    paintings: Sequence[str]
+    source_guides: Sequence[Sequence[str]]
     names: Sequence[str]
     guides: Sequence[Sequence[str]]
     motion: Mapping[tuple[int, int], MotionFiles]
@@ -60,8 +63,9 @@ class ShotIn(NamedTuple):
     Attributes
     ----------
     style : (H_A, W_A, n) uint8
+        All paintings side by side.
     deep_style : (H_A, W_A, n) uint16 or float32, or None
-        The style as its file has it, where that is more than 8 bits.
+        The style as its files have it, where that is more than 8 bits.
     source_guides : tuple of (H_A, W_A, c) uint8
     shot : FileShot
     """
@@ -92,29 +96,39 @@ def read_shot(options: argparse.Namespace, files: ShotFiles, line: ProgressLine)
     InputError
         One for all frames.
     """
-    picture = read_picture(files.style)
-    style = displayed(files.style, picture)
-    deep_style = None if picture.pixels.dtype == np.uint8 else picture.pixels
-    encodings = _encodings(options, len(files.source_guides))
+    paintings = files.paintings
+    pictures = [read_picture(painting) for painting in paintings]
+    styles = [displayed(*each) for each in zip(paintings, pictures, strict=True)]
+    style = side_by_side(styles, paintings)
+    pixels = side_by_side([picture.pixels for picture in pictures], paintings)
+    encodings = _encodings(options, len(files.guides[0]))
     looks = _look_at_all(options, files, encodings[0] == "auto", line)
-    guides, chosen, remarks = [], [], GuideRemarks()
-    for source, first, of_guide, encoding in zip(
-        files.source_guides, files.guides[0], looks, encodings, strict=True
-    ):
-        guide, found = read_source_guide(source, first, of_guide, encoding, remarks)
-        guides.append(guide)
-        chosen.append(found)
-    remarks.note()
-    check_source_guides(style, guides, [f"--guide {source}" for source in files.source_guides])
+    guides, chosen = _read_source_guides(files, styles, looks, encodings)
     shot = FileShot(
         tuple(files.names),
-        looks[0][1].size,
+        looks[0][len(paintings)].size,
         tuple(map(tuple, files.guides)),
-        tuple(chosen),
+        chosen,
         tuple(guide.shape[2] for guide in guides),
         files.motion,
     )
-    return ShotIn(style, deep_style, tuple(guides), shot)
+    return ShotIn(style, None if pixels.dtype == np.uint8 else pixels, guides, shot)
+
+
+def _read_source_guides(files, styles, looks, encodings):
+    """Each guide of all paintings side by side, and its encoding."""
+    remarks, of_paintings, chosen = GuideRemarks(), [], ()
+    for sources, style in zip(files.source_guides, styles, strict=True):
+        read = [
+            read_source_guide(*each, remarks)
+            for each in zip(sources, files.guides[0], looks, encodings, strict=True)
+        ]
+        guides, chosen = zip(*read, strict=True)
+        check_source_guides(style, guides, [f"--guide {source}" for source in sources])
+        of_paintings.append(guides)
+    remarks.note()
+    guides = (side_by_side(each, files.paintings) for each in zip(*of_paintings, strict=True))
+    return tuple(guides), chosen
 
 
 def _encodings(options, guides) -> Sequence[str] | Sequence[GuideEncoding]:
@@ -131,9 +145,9 @@ def _encodings(options, guides) -> Sequence[str] | Sequence[GuideEncoding]:
 
 def _look_at_all(options, files, needs_values, line) -> list[list[GuideLook]]:
     """For each guide a look at the source and at all frames."""
-    sides, looks, problems = [files.source_guides, *files.guides], [], files.problems
+    sides, looks, problems = [*files.source_guides, *files.guides], [], files.problems
     for number, side in enumerate(sides):
-        line.look(number, len(files.guides))
+        line.look(number, len(sides) - 1)
         for path in side:
             try:
                 looks.append(look_at(path, needs_values=needs_values))
@@ -142,10 +156,10 @@ def _look_at_all(options, files, needs_values, line) -> list[list[GuideLook]]:
                 problems.add(told.sentence, path)
             except InputError as error:
                 problems.add(error.sentence, path)
-    guides, size = len(files.source_guides), None
+    guides, size = len(files.guides[0]), None
     by_guide = [looks[number::guides] for number in range(guides)]
     if len(looks) == guides * len(sides):
-        size = by_guide[0][1].size
+        size = by_guide[0][len(files.paintings)].size
         _add_misfits(files, by_guide)
     check_motion_files(files.motion.values(), size, problems)
     problems.refuse()
@@ -154,8 +168,9 @@ def _look_at_all(options, files, needs_values, line) -> list[list[GuideLook]]:
 
 def _add_misfits(files, looks):
     """Frames of another size than the first, and with other colours than most."""
-    first, size = files.guides[0][0], looks[0][1].size
-    for frame, paths in enumerate(files.guides, 1):
+    paintings = len(files.paintings)
+    first, size = files.guides[0][0], looks[0][paintings].size
+    for frame, paths in enumerate(files.guides, paintings):
         for path, of_guide in zip(paths, looks, strict=True):
             look = of_guide[frame]
             if look.size != size:

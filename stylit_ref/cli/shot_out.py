@@ -34,7 +34,7 @@ class ShotOut(NamedTuple):
     style_size : tuple of 2 int
     encodings : sequence of GuideEncoding
     profile : ColourProfile
-        What the style's file says of its colours; the pictures say it too.
+        What the file of the first painting says of its colours; the pictures say it too.
     deep_style : (H_A, W_A, n) uint16 or float32, or None
         What pictures are made of if they have more than 8 bits.
     """
@@ -98,11 +98,11 @@ def check_shot_outputs(
     for field in fields:
         check_nnf_writable(field)
     earlier = options.guide_encoding if options.guide_encoding.endswith(".npy") else None
-    guides = {path for side in files.guides for path in side}
+    guides = {path for side in (*files.source_guides, *files.guides) for path in side}
     motion = {path for source in files.motion.values() for path in source.files}
     check_distinct(
         [*pictures, *fields, *_files_of_run(options, shot)],
-        [files.style, earlier, *files.source_guides, *guides, *motion],
+        [*files.paintings, earlier, *guides, *motion],
     )
     deep_style = shot.deep_style
     if deep_style is not None and not holds_bits_of(deep_style, pictures[0], channels):
@@ -113,7 +113,7 @@ def check_shot_outputs(
         params,
         shot.style.shape[:2],
         shot.shot.encodings,
-        read_colour_profile(files.style),
+        read_colour_profile(files.paintings[0]),
         deep_style,
     )
 

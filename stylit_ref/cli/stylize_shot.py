@@ -96,7 +96,7 @@ def _run_writer(options, files, shot, params, coherence):
         encodings=shot.shot.encodings,
         grid=files.grid,
         cameras=files.cameras,
-        profile=read_colour_profile(files.style),
+        profile=read_colour_profile(files.paintings[0]),
     )
 
 

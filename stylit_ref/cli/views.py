@@ -69,7 +69,7 @@ def run(options: argparse.Namespace) -> None:
         problems.patterns |= zip(files_of_view, manifest.guides, strict=True)
     problems.know(motion.values(), manifest.motion, manifest.depth, manifest.ids)
     files = ShotFiles(
-        style, manifest.source_guides, manifest.views, guides, motion, problems,
+        [style], [manifest.source_guides], manifest.views, guides, motion, problems,
         manifest.grid, manifest.cameras,
     )  # fmt: skip
     pictures, fields = (

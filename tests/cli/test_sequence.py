@@ -392,6 +392,66 @@ def test_ids_of_any_version_of_blender(shot, name):
     np.testing.assert_array_equal(written(folder), alone)
 
 
+@pytest.fixture
+def painted(shot):
+    """Frames 1 and 3 are painted: (folder, styles, guides, command without an output)."""
+    folder, frames = shot[0], shot[3]
+    rng, size = np.random.default_rng(5), frames[0][0].shape[:2]
+    styles = [rng.integers(0, 256, (*size, 3), dtype=np.uint8) for _ in range(2)]
+    for frame, image in zip((1, 3), styles, strict=True):
+        write_image(folder / f"key.{frame:04d}.png", image)
+    command = ["sequence", "--style", f"{folder}/key.%04d.png", *motion(folder), *QUICK]
+    for k in range(2):
+        command += ["--guide", *[f"{folder}/target_{k}.%04d.png"] * 2]
+    return folder, styles, frames, command
+
+
+def test_several_painted_frames_are_one_style(painted):
+    folder, styles, frames, command = painted
+    nnf = "--nnf", f"{folder}/nnf.%d.npy"
+    assert main([*command, "--output", f"{folder}/out.%04d.png", *nnf]) == 0
+    style = np.hstack(styles)
+    guides = [np.hstack(pair) for pair in zip(frames[0], frames[2], strict=True)]
+    moved = edges(folder, [(1, 0), (2, 1)])
+    for result in stylize_frames(style, guides, frames, PARAMS, edges=moved):
+        np.testing.assert_array_equal(written(folder)[result.frame], result.image)
+        np.testing.assert_array_equal(
+            read_nnf(folder / f"nnf.{result.frame + 1}.npy").nnf, result.nnf
+        )
+
+
+def test_a_run_of_several_paintings_is_replayed_with_others(painted):
+    folder, styles, _, command = painted
+    run = "--run", f"{folder}/run"
+    assert main([*command, "--output", f"{folder}/out.%04d.png", *run]) == 0
+    np.testing.assert_array_equal(Run(folder / "run").style(), np.hstack(styles))
+    replay = ["replay", *run, "--style", f"{folder}/key.%04d.png"]
+    assert main([*replay, "--output", f"{folder}/again.%04d.png"]) == 0
+    for frame, image in zip((1, 2, 3), written(folder), strict=True):
+        np.testing.assert_array_equal(read_image(folder / f"again.{frame:04d}.png"), image)
+
+
+def test_paintings_that_do_not_fit_are_refused(painted, capsys):
+    folder, styles, _, command = painted
+    out = "--output", f"{folder}/out.%04d.png"
+    assert f"{folder}/source_0.png: names one file; write" in refused(
+        capsys, sequence(folder, "--style", f"{folder}/key.%04d.png")
+    )
+    none = ["--style", f"{folder}/none.%04d.png"]
+    assert f"{folder}/none.%04d.png: there is no file of such a name" in refused(
+        capsys, main([*command, *none, *out])
+    )
+    write_image(folder / "key.0007.png", styles[0])
+    said = "target_0.%04d.png: there is no file for frame 7, which is painted"
+    assert said in refused(capsys, main([*command, *out]))
+    (folder / "key.0007.png").unlink()
+    write_image(folder / "key.0003.png", styles[0][1:])
+    assert (
+        f"{folder}/key.0003.png is 44x37 with 3 channels of uint8, {folder}/key.0001.png is 44x38"
+    ) in refused(capsys, main([*command, *out]))
+    assert not list(folder.glob("out*"))
+
+
 def test_folders_may_have_the_number_and_layers_name_their_images(shot):
     folder = shot[0]
     assert sequence(folder) == 0
