@@ -62,6 +62,32 @@ def find_frames(options: argparse.Namespace, problems: ShotProblems) -> FrameFil
     return FrameFiles(tuple(wanted), guides)
 
 
+def find_masks(
+    options: argparse.Namespace, frames: Sequence[int], problems: ShotProblems
+) -> list[str]:
+    """The files of ``--mask``, one for each frame; none without the option.
+
+    Raises
+    ------
+    InputError
+        If it has no placeholder, or there is ``--run``.
+    """
+    if not options.mask:
+        return []
+    if options.run:
+        raise InputError(
+            "is not for --run, whose pictures are whole; leave one of the two out",
+            parameter="mask",
+        )
+    pattern = pattern_of(options.mask, "mask")
+    there = pattern.frames()
+    if not set(frames).issubset(there):
+        problems.add(why_missing(pattern.text, there, frames))
+    masks = [pattern.path(frame) for frame in frames]
+    problems.patterns |= dict.fromkeys(masks, pattern.text)
+    return masks
+
+
 def files_of_frame(
     options: argparse.Namespace,
     patterns: Sequence[FramePattern],

@@ -19,8 +19,8 @@ from stylit_ref.files.guides.remarks import GuideRemarks
 from stylit_ref.files.guides.survey import GuideLook, look_at, read_source_guide
 from stylit_ref.files.layers.names import SeveralLayersError
 from stylit_ref.files.picture import read_picture
-from stylit_ref.files.read_image import displayed
-from stylit_ref.stylization.checks import check_source_guides, size_text
+from stylit_ref.files.read_image import displayed, read_mask
+from stylit_ref.stylization.checks import check_mask, check_source_guides, size_text
 from stylit_ref.views.file_shot import FileShot
 
 
@@ -41,6 +41,8 @@ class ShotFiles(NamedTuple):
         By ``(to, other)``.
     problems : ShotProblems
         It knows the patterns of the files.
+    masks : sequence of str, optional
+        For every frame the image that is white where the frame is left alone.
     grid : tuple of 2 int, optional
         Rows and columns, if the frames are a grid of views, row by row.
     cameras : sequence of mapping, optional
@@ -53,6 +55,7 @@ class ShotFiles(NamedTuple):
     guides: Sequence[Sequence[str]]
     motion: Mapping[tuple[int, int], MotionFiles]
     problems: ShotProblems
+    masks: Sequence[str] = ()
     grid: tuple[int, int] | None = None
     cameras: Sequence[Mapping[str, Any]] | None = None
 
@@ -111,6 +114,7 @@ def read_shot(options: argparse.Namespace, files: ShotFiles, line: ProgressLine)
         chosen,
         tuple(guide.shape[2] for guide in guides),
         files.motion,
+        tuple(files.masks),
     )
     return ShotIn(style, None if pixels.dtype == np.uint8 else pixels, guides, shot)
 
@@ -162,8 +166,21 @@ def _look_at_all(options, files, needs_values, line) -> list[list[GuideLook]]:
         size = by_guide[0][len(files.paintings)].size
         _add_misfits(files, by_guide)
     check_motion_files(files.motion.values(), size, problems)
+    _check_masks(files, size)
     problems.refuse()
     return by_guide
+
+
+def _check_masks(files, size):
+    """Masks of another size, and those that leave nothing to stylize."""
+    for path in files.masks:
+        try:
+            mask = read_mask(path)
+            if size:
+                check_mask(mask, size)
+        except InputError as error:
+            said = error.sentence if error.parameter is None else f"{path}: {error.sentence}"
+            files.problems.add(said, path)
 
 
 def _add_misfits(files, looks):

@@ -70,7 +70,7 @@ def run(options: argparse.Namespace) -> None:
     problems.know(motion.values(), manifest.motion, manifest.depth, manifest.ids)
     files = ShotFiles(
         [style], [manifest.source_guides], manifest.views, guides, motion, problems,
-        manifest.grid, manifest.cameras,
+        grid=manifest.grid, cameras=manifest.cameras,
     )  # fmt: skip
     pictures, fields = (
         _outputs(text, name, manifest.views) if text else []

@@ -16,8 +16,9 @@ from stylit_ref.files.disk.paths import split_layer
 from stylit_ref.files.guides.encoding import GuideEncoding
 from stylit_ref.files.guides.read_guides import with_channels
 from stylit_ref.files.picture import read_picture
+from stylit_ref.files.read_image import read_mask
 from stylit_ref.machine.code_digest import code_digest
-from stylit_ref.stylization.checks import size_text
+from stylit_ref.stylization.checks import check_mask, size_text
 from stylit_ref.views.frames import Motion
 
 _CHANGED = "one of its files has changed since the work began; give the command again"
@@ -57,6 +58,8 @@ class FileShot:
         Channels of each guide of the source; grey is spread to as many, and alpha added.
     motion_sources : mapping from (int, int) to MotionSource
         By ``(to, other)``.
+    mask_files : tuple of str
+        For every frame the image that is white where the frame is left alone; empty without masks.
     """
 
     names: tuple[str, ...]
@@ -65,6 +68,7 @@ class FileShot:
     encodings: tuple[GuideEncoding, ...]
     channels: tuple[int, ...]
     motion_sources: Mapping[tuple[int, int], MotionSource]
+    mask_files: tuple[str, ...] = ()
     _told: dict[int | tuple[int, int], str] = field(
         default_factory=dict, init=False, repr=False, compare=False
     )
@@ -90,11 +94,23 @@ class FileShot:
         """
         files = zip(self.guide_files[frame], self.encodings, self.channels, strict=True)
         guides = [self._guide(*each) for each in files]
-        now = self._digest_of_guides(frame)
-        if self._told.get(frame, now) != now:
-            files = ", ".join(dict.fromkeys(self.guide_files[frame]))
-            raise InputError(f"frame {self.names[frame]}: {_CHANGED} ({files})")
+        self._check_unchanged(frame)
         return guides
+
+    def mask(self, frame: int) -> NDArray[np.bool_] | None:
+        """Read the mask of a frame; None if there are none.
+
+        Raises
+        ------
+        InputError
+            If it cannot be read, has another size, covers the whole frame, or has changed.
+        """
+        if not self.mask_files:
+            return None
+        mask = read_mask(self.mask_files[frame])
+        check_mask(mask, self.size)
+        self._check_unchanged(frame)
+        return mask
 
     def motion(self, to: int, other: int) -> Motion:
         """Read the motion of a pair.
@@ -112,7 +128,7 @@ class FileShot:
         return motion
 
     def guides_digest(self, frame: int) -> str:
-        """A digest of the bytes of a frame's files, and of how they are read."""
+        """A digest of the bytes of the files of a frame, and of how they are read."""
         self._told[frame] = self._digest_of_guides(frame)
         return self._told[frame]
 
@@ -121,8 +137,17 @@ class FileShot:
         self._told[to, other] = self.motion_sources[to, other].digest()
         return self._told[to, other]
 
+    def _files(self, frame):
+        return [*self.guide_files[frame], *self.mask_files[frame : frame + 1]]
+
     def _digest_of_guides(self, frame):
-        return files_digest(self.guide_files[frame], repr((self.encodings, self.channels)))
+        return files_digest(self._files(frame), repr((self.encodings, self.channels)))
+
+    def _check_unchanged(self, frame):
+        now = self._digest_of_guides(frame)
+        if self._told.get(frame, now) != now:
+            files = ", ".join(dict.fromkeys(self._files(frame)))
+            raise InputError(f"frame {self.names[frame]}: {_CHANGED} ({files})")
 
     def _guide(self, file, encoding, channels):
         picture = read_picture(file, is_guide=True)

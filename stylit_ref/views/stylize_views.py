@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
+from stylit_ref.stylization.mask import fill_masked
 from stylit_ref.stylization.params import Params
 from stylit_ref.views.frame_result import FrameResult
 from stylit_ref.views.frame_step import FrameStep
@@ -140,6 +141,10 @@ def _results(problem, bench, work, scheduler, threads, progress, *, is_grey):
             job = Job(problem, str(folder.folder.resolve()), keys, threads, code_key(problem.shot))
             do_all = partial(do_on_cluster, job, scheduler)
         for frame, state in walk.run(do_all, progress):
-            image = state.picture[:, :, 0] if is_grey else state.picture
+            image, mask = state.picture, problem.shot.mask(frame)
+            if mask is not None:
+                image = fill_masked(image, mask, None)
+            elif is_grey:
+                image = image[:, :, 0]
             # Copies: the walk still reads the state, whatever a caller does to its result.
             yield FrameResult(frame, problem.shot.names[frame], image.copy(), state.nnf.copy())

@@ -8,6 +8,7 @@ from cli.calls import QUICK, refused, run, sequence
 from exr_files import write_exr
 
 from stylit_ref import (
+    ArrayShot,
     Coherence,
     Motion,
     Params,
@@ -390,6 +391,55 @@ def test_ids_of_any_version_of_blender(shot, name):
     alone = written(folder)
     assert sequence(folder, *motion(folder), "--ids", f"{folder}/ids.%d.exr:{name}") == 0
     np.testing.assert_array_equal(written(folder), alone)
+
+
+@pytest.fixture
+def masked(shot):
+    """A mask for each frame of the shot, and the options for them."""
+    folder, frames = shot[0], shot[3]
+    masks = np.zeros((3, *frames[0][0].shape[:2]), bool)
+    for number, mask in enumerate(masks):
+        mask[10:, : 8 + 4 * number] = True
+        write_image(folder / f"mask.{number + 1}.png", mask.astype(np.uint8) * 255)
+    return masks, ("--mask", f"{folder}/mask.%d.png")
+
+
+def test_masked_pixels_are_left_alone(shot, masked):
+    folder, style, sources, frames = shot
+    masks, flags = masked
+    assert sequence(folder, *motion(folder), *flags, "--nnf", f"{folder}/nnf.%d.npy") == 0
+    moved = edges(folder, [(1, 0), (2, 1)])
+    results = stylize_frames(style, sources, ArrayShot(frames, moved, masks=masks), PARAMS)
+    for result, image in zip(results, written(folder), strict=True):
+        np.testing.assert_array_equal(result.image, image)
+        np.testing.assert_array_equal(image[:, :, 3] == 0, masks[result.frame])
+        field = read_nnf(folder / f"nnf.{result.frame + 1}.npy")
+        np.testing.assert_array_equal(field.mask, masks[result.frame])
+
+
+def test_without_motion_a_masked_frame_is_that_of_run(shot, masked):
+    folder = shot[0]
+    assert sequence(folder, *masked[1], "--frames", 2) == 0
+    names = "source_{}.png", "target_{}.0002.png"
+    assert run(folder, "--mask", folder / "mask.2.png", guides=names) == 0
+    np.testing.assert_array_equal(written(folder, (2,))[0], read_image(folder / "out.png"))
+
+
+def test_masks_that_do_not_fit_are_refused(shot, masked, capsys):
+    folder, flags = shot[0], masked[1]
+    message = refused(capsys, sequence(folder, *flags, "--run", folder / "run"))
+    assert "--mask is not for --run, whose pictures are whole" in message
+    message = refused(capsys, sequence(folder, *flags, "--output", f"{folder}/out.%d.jpg"))
+    assert f"{folder}/out.1.jpg: " in message  # which cannot be transparent
+    write_image(folder / "mask.2.png", np.full((38, 44), 255, np.uint8))
+    write_image(folder / "mask.3.png", np.zeros((30, 20), np.uint8))
+    message = refused(capsys, sequence(folder, *flags))
+    assert "mask.2.png: covers the whole target, so nothing is left" in message
+    assert "mask.3.png: is 20x30 but the target is 44x38" in message
+    (folder / "mask.3.png").unlink()
+    message = refused(capsys, sequence(folder, *flags))
+    assert message.endswith("mask.%d.png: there is no file for frame 3")
+    assert not list(folder.glob("out*"))
 
 
 @pytest.fixture
