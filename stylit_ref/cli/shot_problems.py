@@ -1,6 +1,5 @@
 """What is wrong with the files of a shot: all of it in one message, and nothing twice."""
 
-from collections import Counter
 from collections.abc import Iterable
 from pathlib import Path
 
@@ -71,13 +70,17 @@ class ShotProblems:
         return sentence.replace(path.removesuffix(behind), pattern).replace(str(file), pattern)
 
     def _sentence(self, told, found):
-        if len(found) == 1:
+        patterns = {self.patterns.get(path) for path in found} - {None}
+        files = _files(found) if patterns else []
+        if len(files) < 2:
             return next(iter(found.values()))
-        all_of_it = Counter(self.patterns.values())[self.patterns[next(iter(found))]]
-        if len(found) == all_of_it:
-            return told
-        files = dict.fromkeys(str(split_layer(path)[0]) for path in found)
-        return f"{told} (in {_listed(list(files))})"
+        of_patterns = _files(path for path in self.patterns if self.patterns[path] in patterns)
+        return told if len(files) == len(of_patterns) else f"{told} (in {_listed(files)})"
+
+
+def _files(paths):
+    """The files of paths, without their layers and each once."""
+    return list(dict.fromkeys(str(split_layer(path)[0]) for path in paths))
 
 
 def _listed(files):
