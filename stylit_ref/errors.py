@@ -1,5 +1,8 @@
 """The error that bad input raises."""
 
+from collections.abc import Iterable
+from difflib import get_close_matches
+
 
 class InputError(ValueError):
     """Input that cannot be used: one sentence says what was found and what is needed.
@@ -27,6 +30,12 @@ def one_line(text: str) -> str:
     return "".join(
         " " if sign.isspace() else sign if sign.isprintable() else "\ufffd" for sign in text
     )
+
+
+def did_you_mean(word: str, known: Iterable[str]) -> str:
+    """The end of a refusal of a word: the known one that looks most like it, if one does."""
+    found = get_close_matches(word, list(known), n=1)
+    return f"; did you mean {found[0]}?" if found else ""
 
 
 def shown(value: object) -> str:

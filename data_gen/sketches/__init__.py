@@ -9,6 +9,7 @@ from data_gen.sketches.inked import inked
 from data_gen.sketches.marker import marker
 from data_gen.sketches.two_walls import two_walls
 from data_gen.sketches.unshadowed import unshadowed
+from data_gen.sketches.washed import washed
 
 SKETCHES = {
     "inked": inked,
@@ -16,6 +17,7 @@ SKETCHES = {
     "marker": marker,
     "two_walls": two_walls,
     "unshadowed": unshadowed,
+    "washed": washed,
 }
 
 __all__ = ["SKETCHES", "building"]

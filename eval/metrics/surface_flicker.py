@@ -5,6 +5,7 @@ import numpy as np
 from eval.frame_sets import FrameSet
 from eval.motion_paths import along, landing, shortest_paths
 from eval.number import Number
+from stylit_ref import InputError
 from stylit_ref.views.frames import sequence_pairs
 
 NUMBERS = {
@@ -74,11 +75,22 @@ def middle_paths(edges, frames):
     Returns
     -------
     dict of int to tuple of int
+
+    Raises
+    ------
+    InputError
+        If no frame leads to all others.
     """
-    return min(
-        (shortest_paths(edges, start) for start in range(frames)),
-        key=lambda paths: max(map(len, paths.values())),
-    )
+    found = [shortest_paths(edges, start) for start in range(frames)]
+    whole = [paths for paths in found if len(paths) == frames]
+    if not whole:
+        missing = sorted(set(range(frames)).difference(max(found, key=len)))
+        raise InputError(
+            f"no motion joins the frames {', '.join(map(str, missing))} to the others; points are "
+            "followed through all frames, so measure those that are joined",
+            parameter="edges",
+        )
+    return min(whole, key=lambda paths: max(map(len, paths.values())))
 
 
 def fast_share(values):

@@ -9,9 +9,9 @@ from stylit_ref.views.params import Coherence
 from stylit_ref.views.plan import Task
 from stylit_ref.views.problem import make_problem
 from stylit_ref.views.shot import ArrayShot
-from stylit_ref.views.state import State
 from stylit_ref.views.stylize_views import stylize_views
-from stylit_ref.views.workbench import Workbench
+from stylit_ref.views.work.state import State
+from stylit_ref.views.work.workbench import Workbench
 
 METHODS_OWN = "uniformity", "epsilon", "budget", "fixed_share", "error_limit"
 """Parameters that only some methods have."""

@@ -21,15 +21,15 @@ def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
         "example",
         help="copy the bundled scenes and say how to stylize one",
         description="Copy the bundled scenes into a folder: seven targets, a house, and a sphere "
-        "painted in four styles.\nPrint a command that stylizes one. In a folder of scenes, copy "
-        "only what is missing.",
+        "painted in four styles.\nPrint a command that stylizes one, and one for three frames of a "
+        "camera that moves. In a folder of scenes, copy only what is missing.",
     )
     parser.set_defaults(command=run, parser=parser)
     parser.add_argument("folder", metavar="FOLDER", help="where to copy them, for instance scenes")
 
 
 def run(options: argparse.Namespace) -> None:
-    """Copy them and print a command that stylizes one.
+    """Copy them and print commands that stylize one, and three frames of the house.
 
     A new folder appears whole or not at all. In one that has them already, files that are missing
     are copied and all others stay.
@@ -54,7 +54,13 @@ def run(options: argparse.Namespace) -> None:
     else:
         raise InputError(f"{folder}: holds other files; name a new folder")
     print(f"The scenes are in {folder}. To stylize one, run here:", file=sys.stderr)
-    print(_command(folder, (*guides.LIGHT_PASSES, "IDMASK")))
+    passes = *guides.LIGHT_PASSES, "IDMASK"
+    print(_command(folder, passes))
+    print(
+        "To stylize three frames of a camera that moves around the house:\n"
+        f"{_sequence(folder, passes)}",
+        file=sys.stderr,
+    )
 
 
 def _is_empty(place):
@@ -73,13 +79,31 @@ def _command(folder, guides):
     Its guides are those of Fišer et al. 2016, and one that tells objects apart: without it paint
     spills from one thing onto another that is lit alike.
     """
-    if str(folder).startswith("-"):  # which a command line would take for an option
-        folder = f"./{folder}"
-    source, target = f"{folder}/source", f"{folder}/teapot"
-    words = ["stylit-ref", "run", "--style", f"{source}/styles/oil.png"]
-    for guide in guides:
-        words += ["--guide", f"{source}/{guide}.png", f"{target}/{guide}.png"]
+    folder = _no_option(folder)
+    words = ["stylit-ref", "run", *_painted(folder, guides, "teapot")]
     return shlex.join([*words, "--output", f"{folder}/stylized.png"])
+
+
+def _sequence(folder, guides):
+    """A command that stylizes a row of views of the house, as frames of a shot."""
+    folder = _no_option(folder)
+    words = ["stylit-ref", "sequence", "--preset", "fast", *_painted(folder, guides, "house/1_%d")]
+    words += ["--motion", f"{folder}/house/motion/1_%d_to_1_%d.exr"]
+    words += ["--ids", f"{folder}/house/1_%d/IDMASK.png"]
+    return shlex.join([*words, "--output", f"{folder}/house.%d.png"])
+
+
+def _painted(folder, guides, target):
+    """Options for the oil painting of the sphere, and its guides beside those of a target."""
+    words = ["--style", f"{folder}/source/styles/oil.png"]
+    for guide in guides:
+        words += ["--guide", f"{folder}/source/{guide}.png", f"{folder}/{target}/{guide}.png"]
+    return words
+
+
+def _no_option(folder):
+    """The folder by a name that a command line does not take for an option."""
+    return f"./{folder}" if str(folder).startswith("-") else str(folder)
 
 
 def _copy_whole(bundled, folder, place):

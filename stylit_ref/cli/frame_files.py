@@ -6,8 +6,10 @@ from collections.abc import Sequence, Set
 from typing import NamedTuple
 
 from stylit_ref.cli.guide_options import files_of_side
+from stylit_ref.cli.shot_problems import ShotProblems
 from stylit_ref.errors import InputError
 from stylit_ref.files.disk.frame_ranges import frames_of, range_text
+from stylit_ref.files.disk.paths import is_there
 from stylit_ref.files.disk.patterns import FramePattern, is_pattern
 
 
@@ -18,25 +20,23 @@ class FrameFiles(NamedTuple):
     ----------
     frames : tuple of int
         Their numbers, in ascending order.
-    source_guides : list of str
     guides : list of list of str
         For every frame the file of each guide.
     """
 
     frames: tuple[int, ...]
-    source_guides: list[str]
     guides: list[list[str]]
 
 
-def find_frames(options: argparse.Namespace, problems: list[str]) -> FrameFiles:
-    """The frames that ``--frames`` names, or those on the disk, and all guides.
+def find_frames(options: argparse.Namespace, problems: ShotProblems) -> FrameFiles:
+    """The frames that ``--frames`` names, or those on the disk, and their guides.
 
     Parameters
     ----------
     options : argparse.Namespace
         With ``--guide``, ``--guide-layers`` and ``--frames``.
-    problems : list of str
-        What is missing is added to it, a sentence each.
+    problems : ShotProblems
+        Is told what is missing, and the patterns of the files.
 
     Returns
     -------
@@ -52,25 +52,76 @@ def find_frames(options: argparse.Namespace, problems: list[str]) -> FrameFiles:
     wanted = frames_of(options.frames) if options.frames else _all_between(set().union(*found))
     remedy = "" if options.frames else "; render what is missing, or choose frames with --frames"
     missing = [
-        _why_missing(pattern.text, there, wanted) + remedy * bool(there)
+        why_missing(pattern.text, there, wanted) + remedy * bool(there)
         for pattern, there in zip(patterns, found, strict=True)
         if not there or not set(wanted).issubset(there)
     ]
-    problems += missing
-    sources = _side(options, [source for source, _ in options.guide], problems)
-    guides = [
-        _side(options, [pattern.path(frame) for pattern in patterns], problems)
-        for frame in wanted
-        if not missing
-    ]
-    return FrameFiles(tuple(wanted), sources, guides)
+    for sentence in missing:
+        problems.add(sentence)
+    guides = [files_of_frame(options, patterns, frame, problems) for frame in wanted if not missing]
+    return FrameFiles(tuple(wanted), guides)
 
 
-def _side(options, paths, problems) -> list[str]:
+def find_masks(
+    options: argparse.Namespace, frames: Sequence[int], problems: ShotProblems
+) -> list[str]:
+    """The files of ``--mask``, one for each frame; none without the option.
+
+    Raises
+    ------
+    InputError
+        If it has no placeholder, or there is ``--run``.
+    """
+    if not options.mask:
+        return []
+    if options.run:
+        raise InputError(
+            "is not for --run, whose pictures are whole; leave one of the two out",
+            parameter="mask",
+        )
+    pattern = pattern_of(options.mask, "mask")
+    there = pattern.frames()
+    if not set(frames).issubset(there):
+        problems.add(why_missing(pattern.text, there, frames))
+    masks = [pattern.path(frame) for frame in frames]
+    problems.patterns |= dict.fromkeys(masks, pattern.text)
+    return masks
+
+
+def files_of_frame(
+    options: argparse.Namespace,
+    patterns: Sequence[FramePattern],
+    frame: int,
+    problems: ShotProblems,
+) -> list[str]:
+    """The file of each guide of a frame, on one side of ``--guide``.
+
+    Parameters
+    ----------
+    options : argparse.Namespace
+        With ``--guide-layers``.
+    patterns : sequence of FramePattern
+        One for each ``--guide``.
+    frame : int
+    problems : ShotProblems
+        Is told what is missing, and the patterns of the files.
+    """
+    files = side_of(options, [pattern.path(frame) for pattern in patterns], problems)
+    problems.patterns |= {  # with the layer, or the image in a folder, behind the pattern
+        path: pattern.text + path.removeprefix(pattern.path(frame))
+        for path in files
+        for pattern in patterns
+        if path.startswith(pattern.path(frame))
+    }
+    return files
+
+
+def side_of(options: argparse.Namespace, paths: Sequence[str], problems: ShotProblems) -> list[str]:
+    """As :func:`files_of_side`, but what is missing is added to the problems."""
     try:
         return files_of_side(options, paths)
     except InputError as error:
-        problems.append(error.sentence)
+        problems.add(error.sentence)
         return []
 
 
@@ -82,6 +133,7 @@ def pattern_of(text: str, parameter: str) -> FramePattern:
     InputError
         If it has no placeholder.
     """
+    refuse_star(text, parameter)
     if not is_pattern(text):
         raise InputError(
             f"{text}: names one file; write %04d, #### or $F4 where the number of the frame "
@@ -91,12 +143,29 @@ def pattern_of(text: str, parameter: str) -> FramePattern:
     return FramePattern(os.path.expanduser(text))  # no shell does that within quotes
 
 
+def refuse_star(text: str, parameter: str) -> None:
+    """Refuse a name with a star, unless a file has that very name.
+
+    Raises
+    ------
+    InputError
+    """
+    if "*" in text and not is_there(text):
+        raise InputError(
+            f"{text}: has a star where the number of the frame stands; write %04d or #### for a "
+            "number of four digits, or %d for one without leading zeros, and put the name in "
+            "quotes",
+            parameter=parameter,
+        )
+
+
 def _all_between(frames: Set[int]) -> list[int]:
     """A number that is missing among those on the disk is no choice, but a frame that failed."""
     return list(range(min(frames), max(frames) + 1)) if frames else []
 
 
-def _why_missing(text: str, there: Sequence[int], wanted: Sequence[int]) -> str:
+def why_missing(text: str, there: Sequence[int], wanted: Sequence[int]) -> str:
+    """The sentence on a pattern that has files ``there``, and not all that are wanted."""
     if not there:
         return f"{text}: there is no file of such a name"
     return f"{text}: there is no file for {counted(sorted(set(wanted).difference(there)))}"

@@ -10,6 +10,7 @@ from stylit_ref.errors import InputError
 from stylit_ref.files.disk.paths import split_layer
 from stylit_ref.files.disk.patterns import is_pattern
 from stylit_ref.files.guides.encoding import GuideEncoding
+from stylit_ref.files.layers.names import SeveralLayersError
 from stylit_ref.files.realtime_field import read_any_field
 from stylit_ref.parameters import Number
 
@@ -88,6 +89,12 @@ def files_of_side(options: argparse.Namespace, paths: Sequence[str]) -> list[str
             raise InputError(f"{path}: is a folder; name its images with --guide-layers")
         files += [_layer_of(path, layer) for layer in layers] if layers else [path]
     return files
+
+
+def naming_layers(error: SeveralLayersError) -> SeveralLayersError:
+    """The refusal of a file with several layers, which tells the option that names them."""
+    other_way = ", or name layers of both files with --guide-layers"
+    return SeveralLayersError(error.file, error.best, error.names, other_way)
 
 
 def guide_weights(options: argparse.Namespace) -> tuple[float, ...]:

@@ -6,7 +6,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from stylit_ref.cli.guide_options import add_guide_options, guide_encoding, guide_files
+from stylit_ref.cli.guide_options import (
+    add_guide_options,
+    guide_encoding,
+    guide_files,
+    naming_layers,
+)
 from stylit_ref.errors import InputError
 from stylit_ref.files.guides.encoding import GuideEncoding
 from stylit_ref.files.guides.read_guides import read_guides
@@ -94,8 +99,7 @@ def read_images(options: argparse.Namespace) -> ImagesIn:
     try:
         guides = read_guides(files, guide_encoding(options))
     except SeveralLayersError as error:
-        other_way = ", or name layers of both files with --guide-layers"
-        raise SeveralLayersError(error.file, error.best, error.names, other_way) from None
+        raise naming_layers(error) from None
     sources, (targets,) = guides.source, guides.targets
     names = ([f"--guide {path}" for path in side] for side in zip(*files, strict=True))
     check_guides(style, sources, targets, *names)

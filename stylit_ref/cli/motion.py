@@ -2,15 +2,18 @@
 
 import argparse
 from collections.abc import Iterator, Sequence
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
+from stylit_ref.cli.frame_files import refuse_star
 from stylit_ref.cli.motion_in import check_convention
-from stylit_ref.cli.parser import Parser
+from stylit_ref.cli.parser import FRAMES, Parser
 from stylit_ref.errors import InputError
 from stylit_ref.files.colour.bit_depth import to_uint8_by_rows
 from stylit_ref.files.disk.patterns import FramePattern, is_pattern
+from stylit_ref.files.layers.names import SeveralLayersError
 from stylit_ref.files.motion_file import read_vectors
 from stylit_ref.files.picture import read_picture
 from stylit_ref.views.motion.check import Verdict, check_motion
@@ -48,12 +51,12 @@ def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
     check.set_defaults(command=run, parser=check)
     group = check.add_argument_group("options")
     group.add_argument(
-        "--guide", required=True, action="append", metavar="FRAMES",
+        "--guide", required=True, action="append", metavar=FRAMES,
         help="pictures of the frames, 'shot/beauty.%%04d.exr', with :LAYER behind the name of a "
         "multilayer file; or repeat --guide for every frame",
     )  # fmt: skip
     group.add_argument(
-        "--motion", required=True, action="append", metavar="FRAMES",
+        "--motion", required=True, action="append", metavar=FRAMES,
         help="vectors of the frames, 'shot/vector.%%04d.exr', or 'flow/%%02d_to_%%02d.flo' with a "
         "file for each pair; or repeat --motion for every frame",
     )  # fmt: skip
@@ -100,6 +103,10 @@ def _confirmed(wanted: str, verdict: Verdict) -> str:
 
 def _samples(guides: Sequence[str], motions: Sequence[str]) -> Iterator[Sample]:
     """What there is to look at."""
+    for text in guides:
+        refuse_star(text, "guide")
+    for text in motions:
+        refuse_star(text, "motion")
     if len(guides) > 1 or len(motions) > 1 or not is_pattern(guides[0]):
         yield from _of_files(guides, motions)
         return
@@ -123,11 +130,12 @@ def _samples(guides: Sequence[str], motions: Sequence[str]) -> Iterator[Sample]:
             parameter="motion",
         )
     for frame in _spread(inner or usable):
-        own = _brightness(pictures.path(frame))
-        near = {step: pictures.path(frame + step) for step in (1, -1) if frame + step in shown}
-        path = vectors.path(frame)
+        own, path = _shown(pictures, frame), vectors.path(frame)
+        near = [step for step in (1, -1) if frame + step in shown]
         yield Sample(
-            path, read_vectors(path), {step: (own, _brightness(of)) for step, of in near.items()}
+            path,
+            read_vectors(path),
+            {step: (own, _shown(pictures, frame + step)) for step in near},
         )
 
 
@@ -140,13 +148,13 @@ def _of_pairs(pictures: FramePattern, vectors: FramePattern, shown: Sequence[int
         )
     for first, second in _spread(pairs):
         path = vectors.path_of_pair(first, second)
-        yield _of_pair(path, pictures.path(first), pictures.path(second))
+        yield _of_pair(path, _shown(pictures, first), _shown(pictures, second))
 
 
 def _of_files(guides, motions):
     """Files that are named one by one."""
     if len(guides) == 2 and len(motions) == 1:
-        yield _of_pair(motions[0], *guides)
+        yield _of_pair(motions[0], *map(_brightness, guides))
         return
     if len(guides) != len(motions) or len(guides) < 2:
         raise InputError(
@@ -161,9 +169,9 @@ def _of_files(guides, motions):
         yield Sample(path, read_vectors(path), pictures)
 
 
-def _of_pair(path, first, second):
+def _of_pair(path, here, there):
     """Two frames: vectors of one direction may belong to either, and lead into the other."""
-    vectors, here, there = read_vectors(path), _brightness(first), _brightness(second)
+    vectors = read_vectors(path)
     pictures = {1: (here, there)}
     if len(vectors.pairs) == 1:
         pictures[-1] = there, here
@@ -173,6 +181,14 @@ def _of_pair(path, first, second):
 def _spread(chosen):
     stride = -(-len(chosen) // MOST_FRAMES)
     return chosen[::stride]
+
+
+def _shown(pictures: FramePattern, frame: int) -> NDArray[np.float32]:
+    """The brightness of a frame."""
+    try:
+        return _brightness(pictures.path(frame))
+    except SeveralLayersError as error:
+        raise SeveralLayersError(Path(pictures.text), error.best, error.names) from None
 
 
 def _brightness(path) -> NDArray[np.float32]:

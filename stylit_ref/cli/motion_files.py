@@ -1,7 +1,8 @@
 """Files that tell the motion from one frame into another."""
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import TypeVar
 
 import numpy as np
@@ -19,7 +20,6 @@ from stylit_ref.views.motion.reading import read_motion
 
 Read = TypeVar("Read")
 
-NO_DEPTH = "{}: has {} channels of {}; depth is one channel of floating point"
 NO_IDS = (
     "{}: holds colours in floating point; IDs are whole numbers, or flat colours of 8 or 16 bits"
 )
@@ -85,23 +85,25 @@ class VectorsOfFrames:
 
 
 @dataclass(frozen=True)
-class VectorsOfPair:
-    """A file of vectors from one frame to another, and perhaps one back.
+class VectorsOfPairs:
+    """Files of vectors from one frame to another: a single one, or one for each step on the way.
 
     Attributes
     ----------
-    ahead : str
-    back : str or None
+    ahead : tuple of str
+        For each step the file that leads along it.
+    back : tuple of (str or None)
+        For each step the file that leads back, if there is one.
     convention : str
-    depth, ids : tuple of 2 str, or None
-        Of both frames.
+    depth, ids : mapping of int to str
+        Of the frames on the way, from 0, as far as there are any.
     """
 
-    ahead: str
-    back: str | None
+    ahead: tuple[str, ...]
+    back: tuple[str | None, ...]
     convention: str
-    depth: tuple[str, str] | None = None
-    ids: tuple[str, str] | None = None
+    depth: Mapping[int, str]
+    ids: Mapping[int, str]
 
     def read(self) -> Motion:
         """Read the motion.
@@ -111,58 +113,66 @@ class VectorsOfPair:
         InputError
             If a file cannot be read, or leads into two frames.
         """
-        ahead = _one_way(self.ahead, self.convention)
-        back = _one_way(self.back, self.convention) if self.back else FrameMotion(None, None)
-        vectors = {
-            0: FrameMotion(ahead.forward or ahead.backward, None, ahead.tells_visible),
-            1: FrameMotion(None, back.forward or back.backward, back.tells_visible),
-        }
         return motion_between(
             0,
-            1,
-            vectors.get,
-            depth_of=_reading(dict(enumerate(self.depth or ())), read_depth),
-            labels_of=_reading(dict(enumerate(self.ids or ())), read_ids),
+            len(self.ahead),
+            self._vectors,
+            depth_of=_reading(self.depth, read_depth),
+            labels_of=_reading(self.ids, read_ids),
         )
 
     def digest(self) -> str:
         """A text that changes if the motion does."""
-        return files_digest(self.files, repr((self.convention, bool(self.back), bool(self.depth))))
+        leads_back = [path is not None for path in self.back]
+        frames = [sorted(files) for files in (self.depth, self.ids)]
+        return files_digest(self.files, repr((self.convention, leads_back, frames)))
 
     @property
     def kinds(self) -> tuple[list[str], ...]:
         """Files of vectors, of depth, and of IDs."""
-        vectors = [self.ahead, self.back] if self.back else [self.ahead]
-        return vectors, [*(self.depth or ())], [*(self.ids or ())]
+        vectors = [*self.ahead, *(path for path in self.back if path is not None)]
+        others = ([files[frame] for frame in sorted(files)] for files in (self.depth, self.ids))
+        return vectors, *others
 
     @property
     def files(self) -> list[str]:
         """All of them."""
         return [path for files in self.kinds for path in files]
 
+    def _vectors(self, frame):
+        """Those of a frame on the way, ahead and back."""
+        ahead = back = FrameMotion(None, None)
+        if frame < len(self.ahead):
+            ahead = _one_way(self.ahead[frame], self.convention)
+        if frame > 0 and (path := self.back[frame - 1]) is not None:
+            back = _one_way(path, self.convention)
+        return FrameMotion(
+            ahead.forward or ahead.backward, back.forward or back.backward, ahead.tells_visible
+        )
 
-MotionFiles = VectorsOfFrames | VectorsOfPair
+
+MotionFiles = VectorsOfFrames | VectorsOfPairs
 """Where the motion of a pair of frames comes from."""
 
 
 def vectors_of_pairs(
-    pairs: Iterable[tuple[int, int]],
+    ways: Mapping[tuple[int, int], Sequence[int]],
     path_of: Callable[[int, int], str],
     convention: str,
     depth: Mapping[int, str],
     ids: Mapping[int, str],
-) -> dict[tuple[int, int], VectorsOfPair]:
-    """The files of pairs of frames; one that leads back helps to see what is hidden.
+) -> dict[tuple[int, int], VectorsOfPairs]:
+    """The files along ways from frame to frame; one that leads back helps to see what is hidden.
 
     Parameters
     ----------
-    pairs : iterable of (int, int)
-        Places of two frames.
+    ways : mapping from (int, int) to sequence of int
+        By pair, the frames from its first to its last.
     path_of : callable
-        The file that leads from the frame of one place to that of another.
+        The file that leads from a frame to another.
     convention : str
     depth, ids : mappings of int to str
-        By the place of a frame; empty where there are none.
+        By frame; empty where there are none.
 
     Returns
     -------
@@ -170,11 +180,17 @@ def vectors_of_pairs(
         By the pair.
     """
     found = {}
-    for to, other in pairs:
-        back = path_of(other, to)
-        beside = [(files[to], files[other]) if files else None for files in (depth, ids)]
-        found[to, other] = VectorsOfPair(
-            path_of(to, other), back if is_there(back) else None, convention, *beside
+    for pair, way in ways.items():
+        backs = [path_of(after, frame) for frame, after in pairwise(way)]
+        beside = [
+            {place: files[frame] for place, frame in enumerate(way) if frame in files}
+            for files in (depth, ids)
+        ]
+        found[pair] = VectorsOfPairs(
+            tuple(path_of(*step) for step in pairwise(way)),
+            tuple(back if is_there(back) else None for back in backs),
+            convention,
+            *beside,
         )
     return found
 
@@ -201,8 +217,18 @@ def read_depth(path: str) -> NDArray[np.float32]:
     """
     depth = read_picture(path, is_guide=True).colours
     if depth.dtype != np.float32 or depth.shape[2] > 1:
-        raise InputError(NO_DEPTH.format(path, depth.shape[2], depth.dtype))
+        raise InputError(no_depth(path, depth.shape[2], str(depth.dtype)))
     return depth[:, :, 0]
+
+
+def no_depth(path: str, channels: int, kind: str) -> str:
+    """Why a picture is no depth."""
+    has = "one channel" if channels == 1 else f"{channels} channels"
+    return (
+        f"{path}: has {has} of {kind}; depth is one channel of floating point, and larger where it "
+        "is farther: name a layer of an EXR, such as 'scene.exr:Depth' of Blender or "
+        "'passes.exr:DEPTH' of make data"
+    )
 
 
 def read_ids(path: str) -> NDArray[np.int64]:

@@ -2,11 +2,14 @@
 
 import argparse
 from collections.abc import Mapping, Sequence
+from itertools import pairwise
 
 from stylit_ref.cli.frame_files import counted, pattern_of
 from stylit_ref.cli.motion_files import MotionFiles, VectorsOfFrames, vectors_of_pairs
-from stylit_ref.cli.shot_in import missing_files
+from stylit_ref.cli.parser import FRAMES
+from stylit_ref.cli.shot_problems import ShotProblems
 from stylit_ref.errors import InputError
+from stylit_ref.files.disk.paths import is_there
 from stylit_ref.files.disk.patterns import FramePattern
 from stylit_ref.files.motion_file import look_at_vectors
 from stylit_ref.views.frames import sequence_pairs
@@ -26,7 +29,7 @@ _BESIDE = "motion_depth", "motion_ids"
 def add_motion_options(group: argparse._ArgumentGroup) -> None:
     """Add them."""
     group.add_argument(
-        "--motion", metavar="FRAMES",
+        "--motion", metavar=FRAMES,
         help="motion vectors of the frames: 'shot/vector.%%04d.exr', or 'flow/%%02d_to_%%02d.flo' "
         "with a file for each pair; without them every frame is stylized by itself",
     )  # fmt: skip
@@ -37,20 +40,20 @@ def add_motion_options(group: argparse._ArgumentGroup) -> None:
         "%(default)s)",
     )  # fmt: skip
     group.add_argument(
-        "--depth", dest="motion_depth", metavar="FRAMES",
+        "--depth", dest="motion_depth", metavar=FRAMES,
         help="depth of the frames in floating point, where farther is larger; it tells what hides "
         "what, and strokes beside a silhouette then move with what they belong to",
     )  # fmt: skip
     group.add_argument(
         "--ids",
         dest="motion_ids",
-        metavar="FRAMES",
+        metavar=FRAMES,
         help="IDs of the frames, or flat colours; no stroke moves from one thing to another",
     )
 
 
 def find_motion(
-    options: argparse.Namespace, frames: Sequence[int], order: str, problems: list[str]
+    options: argparse.Namespace, frames: Sequence[int], order: str, problems: ShotProblems
 ) -> Mapping[tuple[int, int], MotionFiles]:
     """The files that tell the motion between neighbouring frames.
 
@@ -61,8 +64,8 @@ def find_motion(
         Their numbers, in ascending order.
     order : str
         Of :class:`stylit_ref.Coherence`; in a sequential one no frame heeds a later one.
-    problems : list of str
-        What is missing is added to it, a sentence each.
+    problems : ShotProblems
+        Is told what is missing, and the patterns of the files.
 
     Returns
     -------
@@ -89,28 +92,32 @@ def find_motion(
         for to, other in sequence_pairs(len(frames))
         if other < to or order != SEQUENTIAL
     ]
-    if pattern.names_pairs:
-
-        def path_of(to, other):
-            return pattern.path_of_pair(frames[to], frames[other])
-
-        problems += missing_files(path_of(*pair) for pair in pairs)
-        by_place = [
-            {place: files[frame] for place, frame in enumerate(frames) if files} for files in beside
-        ]
-        return vectors_of_pairs(pairs, path_of, options.motion_convention, *by_place)
-    vectors = _of_frames(pattern, frames, options.motion_convention, problems)
-    found = {}
-    for to, other in pairs:
-        passed = range(min(frames[to], frames[other]), max(frames[to], frames[other]) + 1)
-        of_frames, *others = (
-            {frame: files[frame] for frame in passed if frame in files}
-            for files in (vectors, *beside)
-        )
-        found[to, other] = VectorsOfFrames(
-            frames[to], frames[other], of_frames, options.motion_convention, *others
-        )
+    find = _of_pairs if pattern.names_pairs else _of_frames
+    found = find(pattern, frames, pairs, options.motion_convention, beside, problems)
+    problems.know(found.values(), options.motion, *(getattr(options, name) for name in _BESIDE))
     return found
+
+
+def _of_pairs(pattern: FramePattern, frames, pairs, convention, beside, problems):
+    """Files that lead from one frame to another."""
+    ways = {(to, other): _way(pattern, frames[to], frames[other]) for to, other in pairs}
+    steps = (step for way in ways.values() for step in pairwise(way))
+    problems.add_missing(pattern.path_of_pair(*step) for step in steps)
+    return vectors_of_pairs(ways, pattern.path_of_pair, convention, *beside)
+
+
+def _way(pattern: FramePattern, first: int, last: int) -> Sequence[int]:
+    """The two frames if a file leads from one to the other, or else all that lie between as well.
+
+    Where there is no file at all the first is what misses.
+    """
+    step = 1 if last > first else -1
+    through = range(first, last + step, step)
+    if not is_there(pattern.path_of_pair(first, last)) and any(
+        is_there(pattern.path_of_pair(*each)) for each in pairwise(through)
+    ):
+        return through
+    return first, last
 
 
 def check_convention(name: str) -> None:
@@ -128,16 +135,31 @@ def check_convention(name: str) -> None:
         raise InputError(error.sentence, parameter="motion_convention") from None
 
 
-def _of_frames(pattern: FramePattern, frames, convention, problems) -> dict[int, str]:
+def _of_frames(pattern: FramePattern, frames, pairs, convention, beside, problems):
+    """Files of frames, for each pair those of the frames that its motion passes."""
+    vectors, found = _passed(pattern, frames, convention, problems), {}
+    for to, other in pairs:
+        passed = range(min(frames[to], frames[other]), max(frames[to], frames[other]) + 1)
+        of_frames, *others = (
+            {frame: files[frame] for frame in passed if frame in files}
+            for files in (vectors, *beside)
+        )
+        found[to, other] = VectorsOfFrames(
+            frames[to], frames[other], of_frames, convention, *others
+        )
+    return found
+
+
+def _passed(pattern: FramePattern, frames, convention, problems) -> dict[int, str]:
     """The files of all frames from the first to the last, those that are left out among them."""
     there = {frame: pattern.path(frame) for frame in pattern.frames()}
     if not there:
-        problems.append(f"{pattern.text}: there is no file of such a name")
+        problems.add(f"{pattern.text}: there is no file of such a name")
         return {}
     try:
         steps = _steps(convention, next(iter(there.values())))
     except InputError as error:
-        problems.append(error.sentence)
+        problems.add(error.sentence)
         return {}
     passed = range(frames[0], frames[-1] + 1)
     needed = passed[1:] if steps == {BEFORE} else passed[:-1] if steps == {NEXT} else passed
@@ -145,7 +167,7 @@ def _of_frames(pattern: FramePattern, frames, convention, problems) -> dict[int,
     if missing:
         left_out = set(missing).isdisjoint(frames)
         why = "; the motion is followed through the frames that --frames leaves out" * left_out
-        problems.append(f"{pattern.text}: there is no file for {counted(missing)}{why}")
+        problems.add(f"{pattern.text}: there is no file for {counted(missing)}{why}")
     return {frame: there[frame] for frame in passed if frame in there}
 
 
@@ -167,6 +189,6 @@ def _beside(options, name, frames, problems) -> dict[int, str]:
     there = pattern.frames()
     missing = [frame for frame in frames if frame not in there]
     if missing:
-        problems.append(f"{text}: there is no file for {counted(missing)}")
+        problems.add(f"{text}: there is no file for {counted(missing)}")
         return {}
     return {frame: pattern.path(frame) for frame in there}

@@ -1,12 +1,22 @@
 """Look at files of motion before any is used: what their headers tell."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
-from stylit_ref.cli.motion_files import NO_DEPTH, NO_IDS, TWO_WAYS, MotionFiles, VectorsOfPair
+from stylit_ref.cli.motion_files import (
+    NO_IDS,
+    TWO_WAYS,
+    MotionFiles,
+    VectorsOfPairs,
+    no_depth,
+)
+from stylit_ref.cli.shot_problems import ShotProblems
 from stylit_ref.errors import InputError
 from stylit_ref.files.disk.paths import split_layer
+from stylit_ref.files.layers.channels import are_labels, words_of
 from stylit_ref.files.layers.contents import contents_of
+from stylit_ref.files.layers.layer import Layer
+from stylit_ref.files.layers.names import SeveralLayersError
 from stylit_ref.files.motion_file import look_at_vectors
 from stylit_ref.files.picture import plain_layer
 from stylit_ref.notes import note
@@ -23,8 +33,10 @@ _STILL = (
 _WHOLE_NUMBERS = {"uint8", "uint16"}
 
 
-def check_motion_files(motion: Iterable[MotionFiles], size: Size | None) -> list[str]:
-    """What keeps motion from being used, before it is.
+def check_motion_files(
+    motion: Iterable[MotionFiles], size: Size | None, problems: ShotProblems
+) -> None:
+    """Find what keeps motion from being used, before it is.
 
     Of all files the header is read; if they are as they should be, the first pair is read whole.
 
@@ -33,31 +45,30 @@ def check_motion_files(motion: Iterable[MotionFiles], size: Size | None) -> list
     motion : iterable of MotionFiles
     size : tuple of 2 int, or None
         Rows and columns of the frames; None where nobody knows.
-
-    Returns
-    -------
-    list of str
-        A sentence each.
+    problems : ShotProblems
+        What is found is added to it.
     """
-    motion, problems = list(motion), []
+    motion, is_usable = list(motion), True
     for look, path, *how in dict.fromkeys(each for files in motion for each in _looks_at(files)):
         try:
             found = look(path, *how)
         except InputError as error:
-            problems.append(error.sentence)
+            problems.add(error.sentence, path)
+            is_usable = False
             continue
         if size and found != size:
-            problems.append(
+            problems.add(
                 f"{path}: is {size_text(found)} but the frames are {size_text(size)}; all must "
-                "have the same size"
+                "have the same size",
+                path,
             )
-    if motion and not problems:
+            is_usable = False
+    if motion and is_usable:
         try:
             if not motion[0].read().field.any():
                 note(_STILL, parameter="motion")
         except InputError as error:
-            problems.append(error.sentence)
-    return problems
+            problems.add(error.sentence)
 
 
 def _looks_at(
@@ -65,7 +76,7 @@ def _looks_at(
 ) -> Iterator[tuple[Any, ...]]:
     vectors, depth, ids = motion.kinds
     for path in vectors:
-        yield _look_at_vectors, path, motion.convention, isinstance(motion, VectorsOfPair)
+        yield _look_at_vectors, path, motion.convention, isinstance(motion, VectorsOfPairs)
     for path in depth:
         yield _look_at_depth, path
     for path in ids:
@@ -89,21 +100,31 @@ def _look_at_vectors(path: str, convention: str, is_of_pair: bool) -> Size:
 
 
 def _look_at_depth(path: str) -> Size:
-    layer = plain_layer(path)
+    layer = _layer_of(path, lambda words: not words.isdisjoint(("depth", "z")))
     if layer is None:
         return _size_of(path)
     if len(layer.roles) > 1 or set(layer.types) <= _WHOLE_NUMBERS:
-        raise InputError(NO_DEPTH.format(path, len(layer.roles), layer.types[0]))
+        raise InputError(no_depth(path, len(layer.roles), layer.types[0]))
     return layer.size
 
 
 def _look_at_ids(path: str) -> Size:
-    layer = plain_layer(path)
+    layer = _layer_of(path, are_labels)
     if layer is None:
         return _size_of(path)
     if len(layer.roles) > 1 and not set(layer.types) <= _WHOLE_NUMBERS:
         raise InputError(NO_IDS.format(path))
     return layer.size
+
+
+def _layer_of(path: str, is_meant: Callable[[set[str]], bool]) -> Layer | None:
+    """The layer of a path; of several one is offered whose name says that it is meant."""
+    try:
+        return plain_layer(path)
+    except SeveralLayersError as error:
+        meant = [name for name in error.names if is_meant(words_of(name))]
+        best = meant[0] if meant else error.best
+        raise SeveralLayersError(error.file, best, error.names) from None
 
 
 def _size_of(path):

@@ -3,10 +3,12 @@
 import argparse
 import sys
 from collections.abc import Sequence
-from difflib import get_close_matches
 from typing import Any, NoReturn
 
-from stylit_ref.errors import one_line
+from stylit_ref.errors import did_you_mean, one_line
+
+FRAMES = "FRAMES"
+"""What help calls a name that stands for a file of each frame."""
 
 EBSYNTH = (
     "style", "guide", "weight", "output", "uniformity", "patchsize", "pyramidlevels",
@@ -84,7 +86,7 @@ class Parser(argparse.ArgumentParser):
                 owed -= 1
             elif takes_rest:  # from here on the words are the command's
                 if self.commands and word not in self.commands:
-                    self.error(f"there is no command {word!r}{_nearest(word, self.commands)}")
+                    self.error(f"there is no command {word!r}{did_you_mean(word, self.commands)}")
                 return
             elif free:
                 free -= 1
@@ -119,7 +121,7 @@ class Parser(argparse.ArgumentParser):
                 return f"{before}: {self._why_no_value(before, flag)}"
             named = f"{before} {flag}" if before else flag
             return f"{named}: a name cannot begin with a dash; write ./{flag}"
-        nearest = _nearest(flag, self._option_string_actions)
+        nearest = did_you_mean(flag, self._option_string_actions)
         return f"there is no option {flag}{nearest}{_page(flag)}"
 
     def _why_no_value(self, flag, word):
@@ -140,8 +142,15 @@ class Parser(argparse.ArgumentParser):
 
     def _why_left_over(self, word, flag):
         values = self._values_of(flag) if flag else 0
+        metavar = self._option_string_actions[flag].metavar if values else None
+        names = metavar if isinstance(metavar, tuple) else (metavar,)
+        if FRAMES in names:
+            return (
+                f"{word}: {flag} takes one name for all frames; write %04d or #### where the "
+                "number of the frame stands, put the name in quotes, and use no star"
+            )
         if values == 2:
-            first, second = self._option_string_actions[flag].metavar
+            first, second = names
             return f"{word}: {flag} takes {first} and {second}; repeat {flag} for each pair"
         if values == 1:
             return f"{word}: {flag} has its value already; put a name with spaces in quotes"
@@ -158,11 +167,6 @@ def _is_number(word):
     except ValueError:
         return False
     return True
-
-
-def _nearest(word, known):
-    found = get_close_matches(word, known, n=1)
-    return f"; did you mean {found[0]}?" if found else ""
 
 
 def _page(flag):

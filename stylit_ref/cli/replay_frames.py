@@ -8,6 +8,7 @@ from time import perf_counter
 from stylit_ref.cli.deep_images import holds_bits_of
 from stylit_ref.cli.finished import counted_frames
 from stylit_ref.cli.frame_files import pattern_of
+from stylit_ref.cli.paintings import paintings_of, side_by_side
 from stylit_ref.cli.progress_line import ProgressLine
 from stylit_ref.cli.views_manifest import VIEW
 from stylit_ref.errors import InputError
@@ -33,13 +34,14 @@ def replay_frames(options: argparse.Namespace) -> None:
     for name in _OF_A_FIELD:
         if getattr(options, name) is not None:
             raise InputError("is not for --run, which has none; leave it out", parameter=name)
-    run, style = Run(options.run), read_image(options.style)
+    run, paintings = Run(options.run), paintings_of(options.style)
+    style = side_by_side([read_image(painting) for painting in paintings], paintings)
     outputs = _outputs(options.output, run.names)
-    check_distinct(outputs, [options.style, *run.files])
+    check_distinct(outputs, [*paintings, *run.files])
     for output in outputs:
         check_image_writable(output, style.shape[2])
     holds_bits_of(style, outputs[0], style.shape[2])
-    profile = read_colour_profile(options.style)
+    profile = read_colour_profile(paintings[0])
     with ProgressLine(options.quiet) as line:
         for done, replayed in enumerate(replay_run(run, style, scale=options.scale), 1):
             output = outputs[replayed.frame]

@@ -2,14 +2,15 @@
 
 import argparse
 
-from stylit_ref.cli.frame_files import find_frames, pattern_of
+from stylit_ref.cli.frame_files import find_frames, find_masks, pattern_of
 from stylit_ref.cli.guide_options import add_guide_options
-from stylit_ref.cli.images_in import add_style_option
 from stylit_ref.cli.method_options import chosen_params
 from stylit_ref.cli.motion_in import add_motion_options, find_motion
-from stylit_ref.cli.parser import Parser
-from stylit_ref.cli.shot_in import ShotFiles, missing_files, refuse_all
+from stylit_ref.cli.paintings import find_paintings
+from stylit_ref.cli.parser import FRAMES, Parser
+from stylit_ref.cli.shot_in import ShotFiles
 from stylit_ref.cli.shot_options import add_other_outputs, add_shot_options, chosen_coherence
+from stylit_ref.cli.shot_problems import ShotProblems
 from stylit_ref.cli.stylize_shot import stylize_shot
 from stylit_ref.views.params import SEQUENCE
 
@@ -46,20 +47,29 @@ def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
     )
     parser.set_defaults(command=run, parser=parser)
     everyday = parser.add_argument_group("everyday options")
-    add_style_option(everyday)
-    add_guide_options(everyday, "FRAMES", "of the frames")
+    everyday.add_argument(
+        "--style", required=True, metavar="IMAGE",
+        help="the painting; or 'painted.%%04d.png' for several painted frames, whose guides are "
+        "SOURCE, with a number too",
+    )  # fmt: skip
+    add_guide_options(everyday, FRAMES, "of the frames")
     everyday.add_argument(
         "--frames", metavar="RANGE",
         help="frames to stylize: 1-100, every second one of them 1-100x2, and one more "
         "1-100x2,120 (default: all for which there are files)",
     )  # fmt: skip
     everyday.add_argument(
-        "--output", required=True, metavar="FRAMES",
+        "--output", required=True, metavar=FRAMES,
         help="the pictures to write; their suffix chooses the format (.png, .tif, .exr, ...)",
     )  # fmt: skip
     add_motion_options(everyday)
+    everyday.add_argument(
+        "--mask", metavar=FRAMES,
+        help="leave the pixels of the frames alone that are white here: pictures are transparent "
+        "there",
+    )  # fmt: skip
     add_shot_options(parser, everyday, SEQUENCE)
-    add_other_outputs(parser, "FRAMES", "'nnf.%%04d.npy'")
+    add_other_outputs(parser, FRAMES, "'nnf.%%04d.npy'")
 
 
 def run(options: argparse.Namespace) -> None:
@@ -70,17 +80,20 @@ def run(options: argparse.Namespace) -> None:
         pattern_of(text, name) if text else None
         for name, text in (("output", options.output), ("nnf", options.nnf))
     ]
-    problems: list[str] = []
-    found = find_frames(options, problems)
+    problems = ShotProblems()
+    paintings, found = find_paintings(options, problems), find_frames(options, problems)
     motion = find_motion(options, found.frames, coherence.order, problems)
-    refuse_all([*problems, *missing_files([options.style, *found.source_guides])])
+    masks = find_masks(options, found.frames, problems)
+    problems.add_missing(path for side in paintings.guides for path in side)
+    problems.refuse()
     digits = len(str(found.frames[-1]))
     files = ShotFiles(
-        options.style,
-        found.source_guides,
+        *paintings,
         [str(frame).zfill(digits) for frame in found.frames],
         found.guides,
         motion,
+        problems,
+        masks,
     )
     pictures, fields = (
         [pattern.path(frame) for frame in found.frames] if pattern else [] for pattern in outputs

@@ -1,29 +1,27 @@
 """What ``sequence`` and ``views`` read: a style, and a shot of files that fit together."""
 
 import argparse
-from collections.abc import Iterable, Mapping, Sequence
-from pathlib import Path
+from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from stylit_ref.cli.guide_options import guide_encoding
+from stylit_ref.cli.guide_options import guide_encoding, naming_layers
 from stylit_ref.cli.motion_files import MotionFiles
 from stylit_ref.cli.motion_look import check_motion_files
+from stylit_ref.cli.paintings import side_by_side
 from stylit_ref.cli.progress_line import ProgressLine
+from stylit_ref.cli.shot_problems import ShotProblems
 from stylit_ref.errors import InputError
-from stylit_ref.files.disk.paths import is_there
 from stylit_ref.files.guides.encoding import GuideEncoding
 from stylit_ref.files.guides.remarks import GuideRemarks
 from stylit_ref.files.guides.survey import GuideLook, look_at, read_source_guide
+from stylit_ref.files.layers.names import SeveralLayersError
 from stylit_ref.files.picture import read_picture
-from stylit_ref.files.read_image import displayed
-from stylit_ref.stylization.checks import check_source_guides, size_text
+from stylit_ref.files.read_image import displayed, read_mask
+from stylit_ref.stylization.checks import check_mask, check_source_guides, size_text
 from stylit_ref.views.file_shot import FileShot
-
-_SHOWN = 8
-"""As many problems are named."""
 
 
 class ShotFiles(NamedTuple):
@@ -31,25 +29,33 @@ class ShotFiles(NamedTuple):
 
     Attributes
     ----------
-    style : str
-    source_guides : sequence of str
+    paintings : sequence of str
+        One, or several painted frames.
+    source_guides : sequence of sequence of str
+        For every painting the file of each guide.
     names : sequence of str
         What the frames are called.
     guides : sequence of sequence of str
         For every frame the file of each guide.
     motion : mapping from (int, int) to MotionFiles
         By ``(to, other)``.
+    problems : ShotProblems
+        It knows the patterns of the files.
+    masks : sequence of str, optional
+        For every frame the image that is white where the frame is left alone.
     grid : tuple of 2 int, optional
         Rows and columns, if the frames are a grid of views, row by row.
     cameras : sequence of mapping, optional
         What is known of the camera of every frame.
     """
 
-    style: str
-    source_guides: Sequence[str]
+    paintings: Sequence[str]
+    source_guides: Sequence[Sequence[str]]
     names: Sequence[str]
     guides: Sequence[Sequence[str]]
     motion: Mapping[tuple[int, int], MotionFiles]
+    problems: ShotProblems
+    masks: Sequence[str] = ()
     grid: tuple[int, int] | None = None
     cameras: Sequence[Mapping[str, Any]] | None = None
 
@@ -60,8 +66,9 @@ class ShotIn(NamedTuple):
     Attributes
     ----------
     style : (H_A, W_A, n) uint8
+        All paintings side by side.
     deep_style : (H_A, W_A, n) uint16 or float32, or None
-        The style as its file has it, where that is more than 8 bits.
+        The style as its files have it, where that is more than 8 bits.
     source_guides : tuple of (H_A, W_A, c) uint8
     shot : FileShot
     """
@@ -92,52 +99,40 @@ def read_shot(options: argparse.Namespace, files: ShotFiles, line: ProgressLine)
     InputError
         One for all frames.
     """
-    picture = read_picture(files.style)
-    style = displayed(files.style, picture)
-    deep_style = None if picture.pixels.dtype == np.uint8 else picture.pixels
-    encodings = _encodings(options, len(files.source_guides))
-    looks = _look_at_all(files, encodings[0] == "auto", line)
-    guides, chosen, remarks = [], [], GuideRemarks()
-    for source, first, of_guide, encoding in zip(
-        files.source_guides, files.guides[0], looks, encodings, strict=True
-    ):
-        guide, found = read_source_guide(source, first, of_guide, encoding, remarks)
-        guides.append(guide)
-        chosen.append(found)
-    remarks.note()
-    check_source_guides(style, guides, [f"--guide {source}" for source in files.source_guides])
+    paintings = files.paintings
+    pictures = [read_picture(painting) for painting in paintings]
+    styles = [displayed(*each) for each in zip(paintings, pictures, strict=True)]
+    style = side_by_side(styles, paintings)
+    pixels = side_by_side([picture.pixels for picture in pictures], paintings)
+    encodings = _encodings(options, len(files.guides[0]))
+    looks = _look_at_all(options, files, encodings[0] == "auto", line)
+    guides, chosen = _read_source_guides(files, styles, looks, encodings)
     shot = FileShot(
         tuple(files.names),
-        looks[0][1].size,
+        looks[0][len(paintings)].size,
         tuple(map(tuple, files.guides)),
-        tuple(chosen),
+        chosen,
         tuple(guide.shape[2] for guide in guides),
         files.motion,
+        tuple(files.masks),
     )
-    return ShotIn(style, deep_style, tuple(guides), shot)
+    return ShotIn(style, None if pixels.dtype == np.uint8 else pixels, guides, shot)
 
 
-def refuse_all(problems: Sequence[str]) -> None:
-    """Refuse in one sentence whatever is wrong with a shot.
-
-    Raises
-    ------
-    InputError
-        If there are any problems.
-    """
-    if problems:
-        more = len(problems) - _SHOWN
-        others = f"; and {more} more" if more > 0 else ""
-        raise InputError("; ".join(problems[:_SHOWN]) + others)
-
-
-def missing_files(paths: Iterable[str]) -> list[str]:
-    """A sentence that names those that do not exist; none if all do."""
-    missing = [path for path in dict.fromkeys(paths) if not (is_there(path) or Path(path).is_dir())]
-    if len(missing) > 1:
-        more = f" and {len(missing) - _SHOWN} more" if len(missing) > _SHOWN else ""
-        return [f"no such files: {', '.join(missing[:_SHOWN])}{more}"]
-    return [f"{path}: no such file" for path in missing]
+def _read_source_guides(files, styles, looks, encodings):
+    """Each guide of all paintings side by side, and its encoding."""
+    remarks, of_paintings, chosen = GuideRemarks(), [], ()
+    for sources, style in zip(files.source_guides, styles, strict=True):
+        read = [
+            read_source_guide(*each, remarks)
+            for each in zip(sources, files.guides[0], looks, encodings, strict=True)
+        ]
+        guides, chosen = zip(*read, strict=True)
+        check_source_guides(style, guides, [f"--guide {source}" for source in sources])
+        of_paintings.append(guides)
+    remarks.note()
+    guides = (side_by_side(each, files.paintings) for each in zip(*of_paintings, strict=True))
+    return tuple(guides), chosen
 
 
 def _encodings(options, guides) -> Sequence[str] | Sequence[GuideEncoding]:
@@ -152,34 +147,57 @@ def _encodings(options, guides) -> Sequence[str] | Sequence[GuideEncoding]:
     return chosen
 
 
-def _look_at_all(files, needs_values, line) -> list[list[GuideLook]]:
+def _look_at_all(options, files, needs_values, line) -> list[list[GuideLook]]:
     """For each guide a look at the source and at all frames."""
-    sides, problems, looks = [files.source_guides, *files.guides], [], []
+    sides, looks, problems = [*files.source_guides, *files.guides], [], files.problems
     for number, side in enumerate(sides):
-        line.look(number, len(files.guides))
+        line.look(number, len(sides) - 1)
         for path in side:
             try:
                 looks.append(look_at(path, needs_values=needs_values))
+            except SeveralLayersError as error:
+                told = naming_layers(error) if "guide_layers" in options else error
+                problems.add(told.sentence, path)
             except InputError as error:
-                problems.append(str(error))
-    guides = len(files.source_guides)
+                problems.add(error.sentence, path)
+    guides, size = len(files.guides[0]), None
     by_guide = [looks[number::guides] for number in range(guides)]
-    size = None if problems else by_guide[0][1].size
-    if not problems:
-        problems += _misfits(files, by_guide)
-    refuse_all([*problems, *check_motion_files(files.motion.values(), size)])
+    if len(looks) == guides * len(sides):
+        size = by_guide[0][len(files.paintings)].size
+        _add_misfits(files, by_guide)
+    check_motion_files(files.motion.values(), size, problems)
+    _check_masks(files, size)
+    problems.refuse()
     return by_guide
 
 
-def _misfits(files, looks):
+def _check_masks(files, size):
+    """Masks of another size, and those that leave nothing to stylize."""
+    for path in files.masks:
+        try:
+            mask = read_mask(path)
+            if size:
+                check_mask(mask, size)
+        except InputError as error:
+            said = error.sentence if error.parameter is None else f"{path}: {error.sentence}"
+            files.problems.add(said, path)
+
+
+def _add_misfits(files, looks):
     """Frames of another size than the first, and with other colours than most."""
-    first, size = files.guides[0][0], looks[0][1].size
-    for frame, paths in enumerate(files.guides, 1):
+    paintings = len(files.paintings)
+    first, size = files.guides[0][0], looks[0][paintings].size
+    for frame, paths in enumerate(files.guides, paintings):
         for path, of_guide in zip(paths, looks, strict=True):
             look = of_guide[frame]
             if look.size != size:
-                said = "all frames must have the same size"
-                yield f"{path}: is {size_text(look.size)} but {first} is {size_text(size)}; {said}"
+                files.problems.add(
+                    f"{path}: is {size_text(look.size)} but {first} is {size_text(size)}; all "
+                    "frames must have the same size",
+                    path,
+                )
             colours = max(each.colours for each in of_guide)
             if look.colours not in (1, colours):
-                yield f"{path}: has {look.colours} channels, and others of this guide {colours}"
+                files.problems.add(
+                    f"{path}: has {look.colours} channels, and others of this guide {colours}", path
+                )

@@ -13,11 +13,12 @@ from stylit_ref.cli.shot_in import ShotFiles, ShotIn
 from stylit_ref.files.colour.profile import ColourProfile, read_colour_profile
 from stylit_ref.files.disk.paths import check_distinct
 from stylit_ref.files.field import Field
-from stylit_ref.files.guides.encoding import GuideEncoding
 from stylit_ref.files.nnf_file import check_nnf_writable, write_nnf
 from stylit_ref.files.write_image import check_image_writable, write_image
+from stylit_ref.stylization.mask import filled_channels
 from stylit_ref.stylization.params import Params
 from stylit_ref.stylization.replaying import replay
+from stylit_ref.views.file_shot import FileShot
 from stylit_ref.views.frame_result import FrameResult
 from stylit_ref.views.run_files import files_of_run, files_to_replace
 
@@ -32,9 +33,9 @@ class ShotOut(NamedTuple):
         Empty where no NNF is to be written.
     params : Params
     style_size : tuple of 2 int
-    encodings : sequence of GuideEncoding
+    shot : FileShot
     profile : ColourProfile
-        What the style's file says of its colours; the pictures say it too.
+        What the file of the first painting says of its colours; the pictures say it too.
     deep_style : (H_A, W_A, n) uint16 or float32, or None
         What pictures are made of if they have more than 8 bits.
     """
@@ -43,7 +44,7 @@ class ShotOut(NamedTuple):
     fields: Sequence[str]
     params: Params
     style_size: tuple[int, int]
-    encodings: Sequence[GuideEncoding]
+    shot: FileShot
     profile: ColourProfile
     deep_style: NDArray[np.uint16 | np.float32] | None
 
@@ -54,8 +55,8 @@ class ShotOut(NamedTuple):
             self.params.patch_width,
             self.params.vote_outliers,
             self.style_size,
-            None,
-            tuple(self.encodings),
+            self.shot.mask(result.frame),
+            self.shot.encodings,
         )
         image = result.image
         if self.deep_style is not None:
@@ -93,16 +94,18 @@ def check_shot_outputs(
     InputError
     """
     channels = shot.style.shape[2]
+    if files.masks:
+        channels = filled_channels(channels, None)
     for picture in pictures:
         check_image_writable(picture, channels)
     for field in fields:
         check_nnf_writable(field)
     earlier = options.guide_encoding if options.guide_encoding.endswith(".npy") else None
-    guides = {path for side in files.guides for path in side}
+    guides = {path for side in (*files.source_guides, *files.guides) for path in side}
     motion = {path for source in files.motion.values() for path in source.files}
     check_distinct(
         [*pictures, *fields, *_files_of_run(options, shot)],
-        [files.style, earlier, *files.source_guides, *guides, *motion],
+        [*files.paintings, *files.masks, earlier, *guides, *motion],
     )
     deep_style = shot.deep_style
     if deep_style is not None and not holds_bits_of(deep_style, pictures[0], channels):
@@ -112,8 +115,8 @@ def check_shot_outputs(
         fields,
         params,
         shot.style.shape[:2],
-        shot.shot.encodings,
-        read_colour_profile(files.style),
+        shot.shot,
+        read_colour_profile(files.paintings[0]),
         deep_style,
     )
 

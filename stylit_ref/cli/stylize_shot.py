@@ -82,7 +82,7 @@ def stylize_shot(
             if writer:
                 writer.finish()
         except KeyboardInterrupt:
-            raise KeyboardInterrupt(_how_to_go_on(options.work, done, len(pictures))) from None
+            raise KeyboardInterrupt(_how_to_go_on(options, done, len(pictures))) from None
     if not options.quiet:
         _tell_finished(pictures, shot, len(pictures) - len(advanced), perf_counter() - start)
 
@@ -96,7 +96,7 @@ def _run_writer(options, files, shot, params, coherence):
         encodings=shot.shot.encodings,
         grid=files.grid,
         cameras=files.cameras,
-        profile=read_colour_profile(files.style),
+        profile=read_colour_profile(files.paintings[0]),
     )
 
 
@@ -107,12 +107,15 @@ def _place(step):
     )
 
 
-def _how_to_go_on(work, done, count):
-    if work:
-        return f"{done} of {count} frames are written; the same command goes on from {work}"
+def _how_to_go_on(options, done, count):
+    written = f"{done} of {count} frames are written"
+    if options.run:
+        written += f", and {options.run} is no whole RUN yet"
+    if options.work:
+        return f"{written}; the same command goes on from {options.work}"
     return (
-        f"{done} of {count} frames are written; with --work FOLDER the same command would go on "
-        "where it was interrupted"
+        f"{written}; nothing else is kept, so the same command begins anew; add --work FOLDER, and "
+        "it goes on where it was interrupted"
     )
 
 

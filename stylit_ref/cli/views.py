@@ -5,10 +5,11 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from stylit_ref.cli.method_options import chosen_params
-from stylit_ref.cli.motion_files import VectorsOfPair, vectors_of_pairs
+from stylit_ref.cli.motion_files import VectorsOfPairs, vectors_of_pairs
 from stylit_ref.cli.parser import Parser
-from stylit_ref.cli.shot_in import ShotFiles, missing_files, refuse_all
+from stylit_ref.cli.shot_in import ShotFiles
 from stylit_ref.cli.shot_options import add_other_outputs, add_shot_options, chosen_coherence
+from stylit_ref.cli.shot_problems import ShotProblems
 from stylit_ref.cli.stylize_shot import stylize_shot
 from stylit_ref.cli.views_manifest import OTHER, VIEW, Manifest, read_manifest
 from stylit_ref.errors import InputError
@@ -59,12 +60,17 @@ def run(options: argparse.Namespace) -> None:
     guides = [[guide.replace(VIEW, view) for guide in manifest.guides] for view in manifest.views]
     motion = _motion(manifest)
     style = options.style or manifest.style
+    problems = ShotProblems()
     paths = [style, *manifest.source_guides, *(path for side in guides for path in side)]
     paths += [path for vectors in motion.values() for path in vectors.files]
-    refuse_all(missing_files(paths))
+    problems.add_missing(paths)
+    problems.refuse()
+    for files_of_view in guides:
+        problems.patterns |= zip(files_of_view, manifest.guides, strict=True)
+    problems.know(motion.values(), manifest.motion, manifest.depth, manifest.ids)
     files = ShotFiles(
-        style, manifest.source_guides, manifest.views, guides, motion,
-        manifest.grid, manifest.cameras,
+        [style], [manifest.source_guides], manifest.views, guides, motion, problems,
+        grid=manifest.grid, cameras=manifest.cameras,
     )  # fmt: skip
     pictures, fields = (
         _outputs(text, name, manifest.views) if text else []
@@ -73,7 +79,7 @@ def run(options: argparse.Namespace) -> None:
     stylize_shot(options, files, params, coherence, pictures, fields, _ALONE)
 
 
-def _motion(manifest: Manifest) -> dict[tuple[int, int], VectorsOfPair]:
+def _motion(manifest: Manifest) -> dict[tuple[int, int], VectorsOfPairs]:
     if manifest.motion is None:
         return {}
     views, motion = manifest.views, manifest.motion
@@ -82,7 +88,7 @@ def _motion(manifest: Manifest) -> dict[tuple[int, int], VectorsOfPair]:
         for text in (manifest.depth or "", manifest.ids or "")
     ]
     return vectors_of_pairs(
-        manifest.pairs,
+        {pair: pair for pair in manifest.pairs},
         lambda to, other: motion.replace(VIEW, views[to]).replace(OTHER, views[other]),
         manifest.motion_convention,
         *beside,

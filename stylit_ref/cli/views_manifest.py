@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from stylit_ref.errors import InputError
+from stylit_ref.errors import InputError, did_you_mean
 from stylit_ref.files.disk.paths import check_regular, existing_file
 from stylit_ref.views.frames import grid_pairs
 from stylit_ref.views.motion.conventions import AUTO, convention_named
@@ -129,12 +129,13 @@ def _checked(value, what, keys, needed) -> dict[str, Any]:
     """An object whose keys are known, and whose values are of their kinds."""
     if not isinstance(value, dict):
         raise InputError(f"{what} is not an object with the keys {', '.join(keys)}")
+    if strange := [key for key in value if key not in keys]:
+        known = f"known are {', '.join(keys)}{did_you_mean(strange[0], keys)}"
+        raise InputError(f"{what} has {strange[0]!r}; {known}")
     for key in needed:
         if key not in value:
             raise InputError(f"{what} lacks {key!r}")
     for key, each in value.items():
-        if key not in keys:
-            raise InputError(f"{what} has {key!r}; known are {', '.join(keys)}")
         if not isinstance(each, keys[key]) or isinstance(each, bool):
             raise InputError(f"{key} of {what} is {each!r}; it must be {_KINDS[keys[key]]}")
     return value

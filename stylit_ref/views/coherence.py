@@ -45,6 +45,25 @@ def places_of(motion: Motion, depth: int) -> NDArray[np.int32]:
     return places
 
 
+def without_masked(motion: Motion, mask: NDArray[np.bool_] | None) -> Motion:
+    """Motion into a frame whose masked pixels show nothing.
+
+    Parameters
+    ----------
+    motion : Motion
+    mask : (H, W) bool or None
+        Of the frame that it leads into.
+
+    Returns
+    -------
+    Motion
+    """
+    if mask is None:
+        return motion
+    places = places_of(motion, 0)
+    return Motion(motion.field, motion.visible & ~mask[places[:, :, 0], places[:, :, 1]])
+
+
 def pull(
     level: Level,
     own: NDArray[np.uint8],

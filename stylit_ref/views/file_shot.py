@@ -3,7 +3,7 @@
 import hashlib
 import sys
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import lru_cache
 from pathlib import Path
 from typing import Protocol
@@ -16,9 +16,12 @@ from stylit_ref.files.disk.paths import split_layer
 from stylit_ref.files.guides.encoding import GuideEncoding
 from stylit_ref.files.guides.read_guides import with_channels
 from stylit_ref.files.picture import read_picture
+from stylit_ref.files.read_image import read_mask
 from stylit_ref.machine.code_digest import code_digest
-from stylit_ref.stylization.checks import size_text
+from stylit_ref.stylization.checks import check_mask, size_text
 from stylit_ref.views.frames import Motion
+
+_CHANGED = "one of its files has changed since the work began; give the command again"
 
 
 class MotionSource(Protocol):
@@ -37,6 +40,9 @@ class MotionSource(Protocol):
 class FileShot:
     """A shot of files, which are read when a frame is worked on.
 
+    A digest that was asked for is remembered, here and in copies for other processes. Whoever reads
+    the frame later is refused if its files have changed since.
+
     Attributes
     ----------
     names : tuple of str
@@ -52,6 +58,8 @@ class FileShot:
         Channels of each guide of the source; grey is spread to as many, and alpha added.
     motion_sources : mapping from (int, int) to MotionSource
         By ``(to, other)``.
+    mask_files : tuple of str
+        For every frame the image that is white where the frame is left alone; empty without masks.
     """
 
     names: tuple[str, ...]
@@ -60,6 +68,10 @@ class FileShot:
     encodings: tuple[GuideEncoding, ...]
     channels: tuple[int, ...]
     motion_sources: Mapping[tuple[int, int], MotionSource]
+    mask_files: tuple[str, ...] = ()
+    _told: dict[int | tuple[int, int], str] = field(
+        default_factory=dict, init=False, repr=False, compare=False
+    )
 
     @property
     def pairs(self) -> Sequence[tuple[int, int]]:
@@ -78,22 +90,64 @@ class FileShot:
         Raises
         ------
         InputError
-            If a file cannot be read, or has another size or other channels.
+            If a file cannot be read, has another size or other channels, or has changed.
         """
         files = zip(self.guide_files[frame], self.encodings, self.channels, strict=True)
-        return [self._guide(*each) for each in files]
+        guides = [self._guide(*each) for each in files]
+        self._check_unchanged(frame)
+        return guides
+
+    def mask(self, frame: int) -> NDArray[np.bool_] | None:
+        """Read the mask of a frame; None if there are none.
+
+        Raises
+        ------
+        InputError
+            If it cannot be read, has another size, covers the whole frame, or has changed.
+        """
+        if not self.mask_files:
+            return None
+        mask = read_mask(self.mask_files[frame])
+        check_mask(mask, self.size)
+        self._check_unchanged(frame)
+        return mask
 
     def motion(self, to: int, other: int) -> Motion:
-        """Read the motion of a pair."""
-        return self.motion_sources[to, other].read()
+        """Read the motion of a pair.
+
+        Raises
+        ------
+        InputError
+            If a file cannot be read, or has changed.
+        """
+        source = self.motion_sources[to, other]
+        motion, now = source.read(), source.digest()
+        if self._told.get((to, other), now) != now:
+            names = f"the motion from frame {self.names[to]} into frame {self.names[other]}"
+            raise InputError(f"{names}: {_CHANGED}")
+        return motion
 
     def guides_digest(self, frame: int) -> str:
-        """A digest of the bytes of a frame's files, and of how they are read."""
-        return files_digest(self.guide_files[frame], repr((self.encodings, self.channels)))
+        """A digest of the bytes of the files of a frame, and of how they are read."""
+        self._told[frame] = self._digest_of_guides(frame)
+        return self._told[frame]
 
     def motion_digest(self, to: int, other: int) -> str:
         """A digest of the motion of a pair."""
-        return self.motion_sources[to, other].digest()
+        self._told[to, other] = self.motion_sources[to, other].digest()
+        return self._told[to, other]
+
+    def _files(self, frame):
+        return [*self.guide_files[frame], *self.mask_files[frame : frame + 1]]
+
+    def _digest_of_guides(self, frame):
+        return files_digest(self._files(frame), repr((self.encodings, self.channels)))
+
+    def _check_unchanged(self, frame):
+        now = self._digest_of_guides(frame)
+        if self._told.get(frame, now) != now:
+            files = ", ".join(dict.fromkeys(self._files(frame)))
+            raise InputError(f"frame {self.names[frame]}: {_CHANGED} ({files})")
 
     def _guide(self, file, encoding, channels):
         picture = read_picture(file, is_guide=True)

@@ -40,7 +40,7 @@ class RunWriter:
     Raises
     ------
     InputError
-        If the folder cannot be written, or holds something and is no RUN.
+        If the folder cannot be written, or holds something and is no RUN; if frames have masks.
     """
 
     folder: Path
@@ -58,6 +58,11 @@ class RunWriter:
         self.folder = Path(folder)
         self._problem, self._encodings, self._profile = problem, tuple(encodings), profile
         shot = problem.shot
+        if any(shot.mask(frame) is not None for frame in range(len(shot.names))):
+            raise InputError(
+                "is not for a RUN, whose pictures are whole; leave one of the two out",
+                parameter="mask",
+            )
         self._files = files_of_run(shot.names, shot.pairs, problem.style, problem.source_guides)
         begin_run(self.folder, self._files)
         self._digests: dict[str, str] = {}

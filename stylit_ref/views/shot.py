@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
-from stylit_ref.stylization.checks import as_image, size_text
+from stylit_ref.stylization.checks import as_image, check_mask, size_text
 from stylit_ref.views.frames import Edges, Motion, check_edges
 
 
@@ -51,8 +51,12 @@ class Shot(Protocol):
         """The motion of a pair."""
         ...
 
+    def mask(self, frame: int) -> NDArray[np.bool_] | None:
+        """The pixels of a frame that are left alone, (H, W); None if none is."""
+        ...
+
     def guides_digest(self, frame: int) -> str:
-        """A text that changes if the guides of a frame do; it is quicker than reading them."""
+        """A text that changes if guides or mask of a frame do; it is quicker than reading them."""
         ...
 
     def motion_digest(self, to: int, other: int) -> str:
@@ -72,6 +76,8 @@ class ArrayShot:
         frame is stylized by itself.
     names : sequence of str, optional
         By default their numbers, from 0.
+    masks : sequence of ((H, W) bool or None), optional
+        Of every frame the pixels that are left alone.
 
     Raises
     ------
@@ -89,6 +95,7 @@ class ArrayShot:
         guides: Sequence[Sequence[NDArray[np.uint8]]],
         edges: Edges | None = None,
         names: Sequence[str] | None = None,
+        masks: Sequence[NDArray[np.bool_] | None] | None = None,
     ) -> None:
         self._guides = [
             [as_image(guide, f"target_guides[{frame}][{k}]") for k, guide in enumerate(each)]
@@ -113,6 +120,16 @@ class ArrayShot:
                 "each needs its own",
                 parameter="names",
             )
+        self._masks = [None] * len(self._guides) if masks is None else list(masks)
+        if len(self._masks) != len(self._guides):
+            raise InputError(
+                f"holds {len(self._masks)} masks for {len(self._guides)} frames; each frame needs "
+                "its own, or None",
+                parameter="masks",
+            )
+        for mask in self._masks:
+            if mask is not None:
+                check_mask(mask, self.size)
         self._edges = check_edges(edges or {}, len(self._guides), self.size)
         self.pairs = tuple(self._edges)
 
@@ -124,9 +141,14 @@ class ArrayShot:
         """The motion of a pair."""
         return self._edges[to, other]
 
+    def mask(self, frame: int) -> NDArray[np.bool_] | None:
+        """The pixels of a frame that are left alone, (H, W) bool; None if none is."""
+        return self._masks[frame]
+
     def guides_digest(self, frame: int) -> str:
-        """A digest of the guides of a frame."""
-        return arrays_digest(*self._guides[frame])
+        """A digest of the guides of a frame, and of its mask."""
+        mask = self._masks[frame]
+        return arrays_digest(*self._guides[frame], *([] if mask is None else [mask]))
 
     def motion_digest(self, to: int, other: int) -> str:
         """A digest of the motion of a pair."""

@@ -10,18 +10,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
+from stylit_ref.stylization.mask import fill_masked
 from stylit_ref.stylization.params import Params
-from stylit_ref.views.distributed import Job, do_on_cluster
 from stylit_ref.views.frame_result import FrameResult
 from stylit_ref.views.frame_step import FrameStep
 from stylit_ref.views.frames import Edges
-from stylit_ref.views.keys import code_key, keys_of
 from stylit_ref.views.params import SEQUENCE, Coherence
 from stylit_ref.views.problem import make_problem
 from stylit_ref.views.shot import ArrayShot, Shot
-from stylit_ref.views.walk import Walk
-from stylit_ref.views.work_folder import WorkFolder
-from stylit_ref.views.workbench import Workbench
+from stylit_ref.views.work.distributed import Job, do_on_cluster
+from stylit_ref.views.work.keys import code_key, keys_of
+from stylit_ref.views.work.walk import Walk
+from stylit_ref.views.work.work_folder import WorkFolder
+from stylit_ref.views.work.workbench import Workbench
 
 Frames = Shot | Sequence[Sequence[NDArray[np.uint8]]]
 """A shot, or the guides of every frame."""
@@ -140,6 +141,10 @@ def _results(problem, bench, work, scheduler, threads, progress, *, is_grey):
             job = Job(problem, str(folder.folder.resolve()), keys, threads, code_key(problem.shot))
             do_all = partial(do_on_cluster, job, scheduler)
         for frame, state in walk.run(do_all, progress):
-            image = state.picture[:, :, 0] if is_grey else state.picture
+            image, mask = state.picture, problem.shot.mask(frame)
+            if mask is not None:
+                image = fill_masked(image, mask, None)
+            elif is_grey:
+                image = image[:, :, 0]
             # Copies: the walk still reads the state, whatever a caller does to its result.
             yield FrameResult(frame, problem.shot.names[frame], image.copy(), state.nnf.copy())

@@ -12,7 +12,7 @@ from stylit_ref.views.frames import Motion, sequence_pairs
 from stylit_ref.views.params import Coherence
 from stylit_ref.views.problem import make_problem
 from stylit_ref.views.shot import ArrayShot
-from stylit_ref.views.workbench import Workbench
+from stylit_ref.views.work.workbench import Workbench
 
 
 def kernels_of_frames(

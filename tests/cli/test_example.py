@@ -20,6 +20,15 @@ def test_the_example_can_be_stylized(tmp_path, monkeypatch, capsys):
     assert [file.name for file in tmp_path.iterdir()] == ["some scenes"]
 
 
+def test_three_frames_of_the_house_can_be_stylized(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    assert main(["example", "scenes"]) == 0
+    words = shlex.split(capsys.readouterr().err.splitlines()[-1])
+    assert words[:2] == ["stylit-ref", "sequence"]
+    assert main([*words[1:], *QUICK]) == 0
+    assert len(list(tmp_path.glob("scenes/house.*.png"))) == 3
+
+
 def files_of(folder):
     return {file: file.read_bytes() for file in folder.rglob("*") if file.is_file()}
 

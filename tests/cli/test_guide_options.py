@@ -55,10 +55,10 @@ def test_layers_of_two_files_are_guides(renders, capsys):
     assert run_layers(renders, "--guide-layers", "Combined,DiffDir,IndexOB", output="a.png") == 0
     (note,) = notes(capsys)
     assert re.fullmatch(
-        r"note: --guide-encoding shows source and target alike: "
+        r"note: --guide-encoding makes 8 bits of floating point, in source and target alike: "
         r"Combined at 0\.\d+ of its brightness, Diffuse Direct at 0\.\d+ of its brightness, "
         r"Object Index as 2 labels with a colour each; "
-        r"with none, values outside \[0, 1\] are clipped",
+        r"with none, values outside \[0, 1\] would be clipped",
         note,
     )
     assert run_layers(renders, guides=pairs) == 0

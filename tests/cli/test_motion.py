@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from cli.calls import QUICK, refused
+from scipy.ndimage import map_coordinates
 from views.motion.blender_shot import FOLDER
 from views.motion.moving_square import motion, picture
 
@@ -82,7 +83,7 @@ def test_patterns(capsys, shot, vectors):
 def test_a_still_shot_is_undecided(capsys, shot):
     still = shot / "square.0.png"
     assert check("--guide", still, "--guide", still, "--motion", shot / "0_to_1.flo") == 1
-    assert last_line(capsys) == "undecided: the pictures do not move"
+    assert last_line(capsys).startswith("undecided: the pictures do not move; name frames of the")
 
 
 def test_vectors_without_pictures_beside_them_are_refused(capsys, shot):
@@ -98,6 +99,42 @@ def test_vectors_without_pictures_beside_them_are_refused(capsys, shot):
 def test_one_file_of_vectors_for_a_shot_is_refused(capsys, shot):
     words = "--guide", shot / "square.%d.png", "--motion", shot / "0_to_1.flo"
     assert "names one file, and --guide those of a shot" in refused(capsys, check(*words))
+
+
+def test_frames_further_apart_decide_a_slow_shot(capsys, tmp_path):
+    """Moved by 0.4 pixels a frame, and by 4 from the first to the last."""
+    base = picture(0).astype(float)
+    for name, shift in (("first", 0), ("next", 0.4), ("last", 4)):
+        write_image(tmp_path / f"{name}.png", _moved(base, shift))
+        flow = np.tile(np.float32([shift, 0]), (*base.shape[:2], 1))
+        write_flo(tmp_path / f"to_{name}.flo", flow)
+    for name, code in (("next", 1), ("last", 0)):
+        guides = "--guide", tmp_path / "first.png", "--guide", tmp_path / f"{name}.png"
+        assert check(*guides, "--motion", tmp_path / f"to_{name}.flo") == code
+        said = last_line(capsys)
+        assert "or frames further apart and the vectors" in said if code else "flo explains" in said
+
+
+def _moved(image, shift):
+    """Moved to the right by as many pixels."""
+    places = np.mgrid[: image.shape[0], : image.shape[1], : image.shape[2]].astype(float)
+    places[1] -= shift
+    return map_coordinates(image, places, order=1, mode="nearest").round().astype(np.uint8)
+
+
+def test_several_layers_are_told_of_the_pattern(capsys):
+    frames = f"{FOLDER}/perspective/shot.%04d.exr"
+    message = refused(capsys, check("--guide", frames, "--motion", frames))
+    assert f"several layers; write {frames}:ViewLayer.Combined; its" in message
+
+
+@pytest.mark.parametrize("option", ["--guide", "--motion"])
+def test_a_star_is_no_number_of_a_frame(capsys, shot, option):
+    words = {"--guide": "square.%d.png", "--motion": "ahead.%d.flo"}
+    words[option] = words[option].replace("%d", "*")
+    command = [word for name, file in words.items() for word in (name, shot / file)]
+    message = refused(capsys, check(*command))
+    assert f"{option} {shot / words[option]}: has a star where the number of the frame" in message
 
 
 def test_other_numbers_of_files_are_refused(capsys, shot):

@@ -5,9 +5,15 @@ import pytest
 from exr_files import write_exr
 
 from stylit_ref import InputError, write_image
-from stylit_ref.cli.motion_files import VectorsOfFrames, VectorsOfPair, read_depth, read_ids
+from stylit_ref.cli.motion_files import (
+    VectorsOfFrames,
+    VectorsOfPairs,
+    read_depth,
+    read_ids,
+)
 from stylit_ref.files.motion_flo import write_flo
 from stylit_ref.views.motion.between import motion_between
+from stylit_ref.views.motion.conventions import FrameMotion
 from stylit_ref.views.motion.reading import read_motion
 
 SIZE = 24, 30
@@ -48,10 +54,37 @@ def test_a_file_of_each_frame(files, to, other):
 
 def test_a_file_of_a_pair(files):
     del files["flow"][2]  # nothing leads back
-    depth, ids = (tuple(files[name].values()) for name in ("depth", "ids"))
-    motion = VectorsOfPair(files["flow"][1], None, "flo", depth, ids)
+    depth, ids = (dict(enumerate(files[name].values())) for name in ("depth", "ids"))
+    motion = VectorsOfPairs((files["flow"][1],), (None,), "flo", depth, ids)
     for found, wanted in zip(motion.read(), expected(files, 1, 2), strict=True):
         np.testing.assert_array_equal(found, wanted)
+
+
+@pytest.mark.parametrize("leads_back", [False, True])
+def test_files_of_pairs_over_a_frame_between(tmp_path, leads_back):
+    """As files of frames that say the same."""
+    flow = {}
+    for to, other, step in ((1, 2, 2), (2, 3, 3), (2, 1, -2), (3, 2, -3)):
+        flow[to, other] = str(tmp_path / f"{to}_to_{other}.flo")
+        write_flo(flow[to, other], np.tile(np.float32([step, 0]), (*SIZE, 1)))
+    backs = (flow[2, 1], flow[3, 2]) if leads_back else (None, None)
+    found = VectorsOfPairs((flow[1, 2], flow[2, 3]), backs, "flo", {}, {}).read()
+    of_frames = {
+        frame: FrameMotion(_forward(flow.get((frame, frame + 1))), back)
+        for frame, back in (
+            (1, None),
+            (2, _forward(flow[2, 1]) if leads_back else None),
+            (3, _forward(flow[3, 2]) if leads_back else None),
+        )
+    }
+    for one, other in zip(found, motion_between(1, 3, of_frames.get), strict=True):
+        np.testing.assert_array_equal(one, other)
+    assert (found.field[found.visible] == (5, 0)).all()
+    assert found.visible.any()
+
+
+def _forward(path):
+    return read_motion(path).forward if path else None
 
 
 @pytest.mark.parametrize("place", ["ahead", "back"])
@@ -60,7 +93,7 @@ def test_a_file_of_a_pair_leads_into_one_frame(files, tmp_path, place):
     both = str(write_exr(tmp_path / "both.exr", vectors, SIZE))
     ahead, back = (both, None) if place == "ahead" else (files["flow"][1], both)
     with pytest.raises(InputError, match=r"both.exr: leads into the frame before and into the"):
-        VectorsOfPair(ahead, back, "auto").read()
+        VectorsOfPairs((ahead,), (back,), "auto", {}, {}).read()
 
 
 def test_the_digest_tells_what_the_motion_depends_on(files, tmp_path):
@@ -72,8 +105,11 @@ def test_the_digest_tells_what_the_motion_depends_on(files, tmp_path):
         VectorsOfFrames(1, 2, flow, "flo-flip-y", depth, ids),
         VectorsOfFrames(1, 2, flow, "flo", {}, ids),
         VectorsOfFrames(1, 2, flow, "flo", depth, {}),
-        VectorsOfPair(flow[1], flow[2], "flo"),
-        VectorsOfPair(flow[1], None, "flo"),
+        VectorsOfPairs((flow[1],), (flow[2],), "flo", {}, {}),
+        VectorsOfPairs((flow[1],), (None,), "flo", {}, {}),
+        VectorsOfPairs((flow[1], flow[2]), (None, None), "flo", {}, {}),
+        VectorsOfPairs((flow[1],), (None,), "flo", {0: depth[1]}, {}),
+        VectorsOfPairs((flow[1],), (None,), "flo", {1: depth[1]}, {}),
     ]
     before = whole.digest()
     assert len({before, *(other.digest() for other in others)}) == 1 + len(others)

@@ -75,6 +75,18 @@ def test_words_that_are_left_over(capsys, words, said):
     assert refusal(capsys, f"run --style a {words}") == f"stylit-ref run: {said}"
 
 
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        ("--guide s.exr f.1.exr f.2.exr", "f.2.exr: --guide takes one name for all frames; write"),
+        ("--motion f.1.exr f.2.exr", "f.2.exr: --motion takes one name for all frames; write %04d"),
+        ("--work my folder", "folder: --work has its value already; put a name with spaces in"),
+    ],
+)
+def test_names_that_a_shell_has_made_of_a_star(capsys, words, said):
+    assert refusal(capsys, f"sequence {words}").startswith(f"stylit-ref sequence: {said}")
+
+
 def test_words_after_two_dashes(capsys):
     said = refusal(capsys, "example a -- b")
     assert said == "stylit-ref: unrecognized arguments: b"

@@ -8,6 +8,7 @@ from cli.calls import QUICK, refused, run, sequence
 from exr_files import write_exr
 
 from stylit_ref import (
+    ArrayShot,
     Coherence,
     Motion,
     Params,
@@ -113,6 +114,27 @@ def test_a_file_of_each_pair(shot):
         np.testing.assert_array_equal(written(folder)[result.frame], result.image)
 
 
+def test_files_of_pairs_are_followed_through_frames_that_are_left_out(shot, capsys):
+    folder, size = shot[0], shot[3][0][0].shape[:2]
+    flags = "--motion", f"{folder}/%d_to_%d.flo", "--frames", "1,3"
+
+    def write(to, other, step):
+        write_flo(folder / f"{to}_to_{other}.flo", np.tile(np.float32([step, 0]), (*size, 1)))
+
+    assert f"{folder}/3_to_1.flo: no such file" in refused(capsys, sequence(folder, *flags))
+    write(3, 2, -1)
+    assert f"{folder}/2_to_1.flo: no such file" in refused(capsys, sequence(folder, *flags))
+    write(2, 1, -1)
+    assert sequence(folder, *flags) == 0
+    composed = written(folder, (1, 3))
+    write(3, 1, -2)
+    assert sequence(folder, *flags) == 0
+    np.testing.assert_array_equal(written(folder, (1, 3)), composed)
+    write(3, 1, 6)
+    assert sequence(folder, *flags) == 0
+    assert not np.array_equal(written(folder, (1, 3)), composed)
+
+
 def test_the_same_command_goes_on_where_it_was_interrupted(shot, capsys, monkeypatch):
     folder = shot[0]
     assert sequence(folder, *motion(folder)) == 0
@@ -145,7 +167,10 @@ def test_an_interruption_without_work_folder_says_how_to_go_on(shot, capsys, mon
 
     monkeypatch.setattr(shot_out, "write_image", interrupted)
     assert sequence(shot[0]) == 130
-    assert "with --work FOLDER the same command would go on" in capsys.readouterr().err
+    assert capsys.readouterr().err.splitlines()[-1] == (
+        "stylit-ref: interrupted; 0 of 3 frames are written; nothing else is kept, so the same "
+        "command begins anew; add --work FOLDER, and it goes on where it was interrupted"
+    )
 
 
 def test_missing_frames_are_all_named_at_once(shot, capsys):
@@ -220,8 +245,11 @@ def test_frames_of_other_sizes_are_all_named_at_once(shot, capsys):
     for frame in (2, 3):
         write_image(folder / f"target_1.{frame:04d}.png", np.zeros((30, 20, 1), np.uint8))
     message = refused(capsys, sequence(folder, "--work", folder / "work"))
-    for frame in (2, 3):
-        assert f"target_1.{frame:04d}.png: is 20x30 but" in message
+    assert message == (
+        f"stylit-ref: {folder}/target_1.%04d.png: is 20x30 but {folder}/target_0.0001.png is "
+        f"44x38; all frames must have the same size (in {folder}/target_1.0002.png, "
+        f"{folder}/target_1.0003.png)"
+    )
     assert not list(folder.glob("out*"))
     assert not (folder / "work").exists()
 
@@ -232,6 +260,8 @@ def test_frames_of_other_sizes_are_all_named_at_once(shot, capsys):
         (("--frames", "1-"), "--frames is '1-'; it must be numbers and ranges"),
         (("--motion", "flow.flo"), "--motion flow.flo: names one file; write %04d"),
         (("--output", "out.png"), "--output out.png: names one file; write %04d"),
+        (("--output", "out.*.png"), "--output out.*.png: has a star where the number of the frame"),
+        (("--motion", "flow.*.flo"), "--motion flow.*.flo: has a star where the number of the"),
         (("--nnf", "nnf.npy"), "--nnf nnf.npy: names one file; write %04d"),
         (("--output", "out.%04d.nothing"), "out.0001.nothing"),
         (("--coherence", 1), "--coherence is of use with --motion alone"),
@@ -289,8 +319,8 @@ def test_motion_of_another_size_is_named_before_anything_runs(shot, capsys):
     for frame in (1, 2):
         write_flo(folder / f"flow.{frame:04d}.flo", np.zeros((30, 20, 2), np.float32))
     message = refused(capsys, sequence(folder, *motion(folder)))
-    for frame in (1, 2):
-        assert f"flow.{frame:04d}.flo: is 20x30 but the frames are 44x38" in message
+    assert "flow.%04d.flo: is 20x30 but the frames are 44x38" in message
+    assert message.endswith(f"(in {folder}/flow.0001.flo, {folder}/flow.0002.flo)")
     assert not list(folder.glob("out*"))
 
 
@@ -298,7 +328,177 @@ def test_depth_is_a_distance(shot, capsys):
     folder = shot[0]
     flags = "--depth", f"{folder}/target_1.%04d.png"
     message = refused(capsys, sequence(folder, *motion(folder), *flags))
-    assert "target_1.0001.png: has 1 channels of uint8; depth is one channel of floating" in message
+    assert (
+        "target_1.%04d.png: has one channel of uint8; depth is one channel of floating" in message
+    )
+    assert "larger where it is farther: name a layer of an EXR, such as" in message
+    assert not list(folder.glob("out*"))
+
+
+@pytest.fixture
+def layered(shot):
+    """The shot's command with guides of EXR files, those of the frames with two layers."""
+    folder = shot[0]
+    write_exr(folder / "source.exr", {"Depth.Z": 1}, (40, 46))
+    for frame in (1, 2, 3):
+        layers = {"Depth.Z": frame, "View.Combined.R": 1}
+        write_exr(folder / f"scene.{frame:04d}.exr", layers, (38, 44))
+    command = ["sequence", "--style", f"{folder}/style.png", "--output", f"{folder}/out.%04d.png"]
+    return folder, [*command, "--guide", f"{folder}/source.exr", f"{folder}/scene.%04d.exr"]
+
+
+def test_several_layers_of_a_pattern_are_told_of_the_pattern(layered, capsys):
+    folder, command = layered
+    assert refused(capsys, main(command)) == (
+        f"stylit-ref: {folder}/scene.%04d.exr: has several layers; write "
+        f"{folder}/scene.%04d.exr:View.Combined, or name layers of both files with "
+        "--guide-layers; its layers are: Depth, View.Combined"
+    )
+
+
+@pytest.mark.parametrize(("option", "layer"), [("--depth", "Depth"), ("--ids", "View.IndexOB")])
+def test_of_several_layers_the_one_that_is_meant_is_offered(layered, capsys, option, layer):
+    folder, command = layered
+    for frame in (1, 2, 3):
+        layers = {"Depth.Z": frame, "View.Combined.R": 1, "View.IndexOB.X": 1}
+        write_exr(folder / f"scene.{frame:04d}.exr", layers, (38, 44))
+    moved = "--motion", f"{folder}/flow.%04d.flo", option, f"{folder}/scene.%04d.exr"
+    message = refused(capsys, main([*command, "--guide-layers", "Depth", *moved]))
+    assert f"has several layers; write {folder}/scene.%04d.exr:{layer}; its layers" in message
+
+
+def test_a_layer_that_is_missing_is_told_once(layered, capsys):
+    folder, command = layered
+    write_exr(
+        folder / "scene.0002.exr", {"Depth.Z": 1, "View.Combined.R": 1, "Mist.Z": 1}, (38, 44)
+    )
+    moved = "--motion", f"{folder}/flow.%04d.flo", "--depth", f"{folder}/scene.%04d.exr:Mist"
+    message = refused(capsys, main([*command, "--guide-layers", "Depth,Glossy", *moved]))
+    assert message.count("has no layer 'Glossy'") == 3  # the source, and two kinds of frames
+    assert message.count("has no layer 'Mist'") == 1
+    there = "its layers are: Depth, View.Combined"
+    both = f"(in {folder}/scene.0001.exr, {folder}/scene.0003.exr)"
+    for layer in ("Glossy", "Mist"):
+        assert f"{folder}/scene.%04d.exr: has no layer '{layer}'; {there} {both}" in message
+
+
+@pytest.mark.parametrize("name", ["IndexOB", "Object Index", "object_index"])
+def test_ids_of_any_version_of_blender(shot, name):
+    folder, size = shot[0], shot[3][0][0].shape[:2]
+    for frame, layer in ((1, "View.IndexOB"), (2, "View.Object Index"), (3, "View.IndexOB")):
+        write_exr(folder / f"ids.{frame}.exr", {f"{layer}.X": frame}, size)
+    assert sequence(folder) == 0
+    alone = written(folder)
+    assert sequence(folder, *motion(folder), "--ids", f"{folder}/ids.%d.exr:{name}") == 0
+    np.testing.assert_array_equal(written(folder), alone)
+
+
+@pytest.fixture
+def masked(shot):
+    """A mask for each frame of the shot, and the options for them."""
+    folder, frames = shot[0], shot[3]
+    masks = np.zeros((3, *frames[0][0].shape[:2]), bool)
+    for number, mask in enumerate(masks):
+        mask[10:, : 8 + 4 * number] = True
+        write_image(folder / f"mask.{number + 1}.png", mask.astype(np.uint8) * 255)
+    return masks, ("--mask", f"{folder}/mask.%d.png")
+
+
+def test_masked_pixels_are_left_alone(shot, masked):
+    folder, style, sources, frames = shot
+    masks, flags = masked
+    assert sequence(folder, *motion(folder), *flags, "--nnf", f"{folder}/nnf.%d.npy") == 0
+    moved = edges(folder, [(1, 0), (2, 1)])
+    results = stylize_frames(style, sources, ArrayShot(frames, moved, masks=masks), PARAMS)
+    for result, image in zip(results, written(folder), strict=True):
+        np.testing.assert_array_equal(result.image, image)
+        np.testing.assert_array_equal(image[:, :, 3] == 0, masks[result.frame])
+        field = read_nnf(folder / f"nnf.{result.frame + 1}.npy")
+        np.testing.assert_array_equal(field.mask, masks[result.frame])
+
+
+def test_without_motion_a_masked_frame_is_that_of_run(shot, masked):
+    folder = shot[0]
+    assert sequence(folder, *masked[1], "--frames", 2) == 0
+    names = "source_{}.png", "target_{}.0002.png"
+    assert run(folder, "--mask", folder / "mask.2.png", guides=names) == 0
+    np.testing.assert_array_equal(written(folder, (2,))[0], read_image(folder / "out.png"))
+
+
+def test_masks_that_do_not_fit_are_refused(shot, masked, capsys):
+    folder, flags = shot[0], masked[1]
+    message = refused(capsys, sequence(folder, *flags, "--run", folder / "run"))
+    assert "--mask is not for --run, whose pictures are whole" in message
+    message = refused(capsys, sequence(folder, *flags, "--output", f"{folder}/out.%d.jpg"))
+    assert f"{folder}/out.1.jpg: " in message  # which cannot be transparent
+    write_image(folder / "mask.2.png", np.full((38, 44), 255, np.uint8))
+    write_image(folder / "mask.3.png", np.zeros((30, 20), np.uint8))
+    message = refused(capsys, sequence(folder, *flags))
+    assert "mask.2.png: covers the whole target, so nothing is left" in message
+    assert "mask.3.png: is 20x30 but the target is 44x38" in message
+    (folder / "mask.3.png").unlink()
+    message = refused(capsys, sequence(folder, *flags))
+    assert message.endswith("mask.%d.png: there is no file for frame 3")
+    assert not list(folder.glob("out*"))
+
+
+@pytest.fixture
+def painted(shot):
+    """Frames 1 and 3 are painted: (folder, styles, guides, command without an output)."""
+    folder, frames = shot[0], shot[3]
+    rng, size = np.random.default_rng(5), frames[0][0].shape[:2]
+    styles = [rng.integers(0, 256, (*size, 3), dtype=np.uint8) for _ in range(2)]
+    for frame, image in zip((1, 3), styles, strict=True):
+        write_image(folder / f"key.{frame:04d}.png", image)
+    command = ["sequence", "--style", f"{folder}/key.%04d.png", *motion(folder), *QUICK]
+    for k in range(2):
+        command += ["--guide", *[f"{folder}/target_{k}.%04d.png"] * 2]
+    return folder, styles, frames, command
+
+
+def test_several_painted_frames_are_one_style(painted):
+    folder, styles, frames, command = painted
+    nnf = "--nnf", f"{folder}/nnf.%d.npy"
+    assert main([*command, "--output", f"{folder}/out.%04d.png", *nnf]) == 0
+    style = np.hstack(styles)
+    guides = [np.hstack(pair) for pair in zip(frames[0], frames[2], strict=True)]
+    moved = edges(folder, [(1, 0), (2, 1)])
+    for result in stylize_frames(style, guides, frames, PARAMS, edges=moved):
+        np.testing.assert_array_equal(written(folder)[result.frame], result.image)
+        np.testing.assert_array_equal(
+            read_nnf(folder / f"nnf.{result.frame + 1}.npy").nnf, result.nnf
+        )
+
+
+def test_a_run_of_several_paintings_is_replayed_with_others(painted):
+    folder, styles, _, command = painted
+    run = "--run", f"{folder}/run"
+    assert main([*command, "--output", f"{folder}/out.%04d.png", *run]) == 0
+    np.testing.assert_array_equal(Run(folder / "run").style(), np.hstack(styles))
+    replay = ["replay", *run, "--style", f"{folder}/key.%04d.png"]
+    assert main([*replay, "--output", f"{folder}/again.%04d.png"]) == 0
+    for frame, image in zip((1, 2, 3), written(folder), strict=True):
+        np.testing.assert_array_equal(read_image(folder / f"again.{frame:04d}.png"), image)
+
+
+def test_paintings_that_do_not_fit_are_refused(painted, capsys):
+    folder, styles, _, command = painted
+    out = "--output", f"{folder}/out.%04d.png"
+    assert f"{folder}/source_0.png: names one file; write" in refused(
+        capsys, sequence(folder, "--style", f"{folder}/key.%04d.png")
+    )
+    none = ["--style", f"{folder}/none.%04d.png"]
+    assert f"{folder}/none.%04d.png: there is no file of such a name" in refused(
+        capsys, main([*command, *none, *out])
+    )
+    write_image(folder / "key.0007.png", styles[0])
+    said = "target_0.%04d.png: there is no file for frame 7, which is painted"
+    assert said in refused(capsys, main([*command, *out]))
+    (folder / "key.0007.png").unlink()
+    write_image(folder / "key.0003.png", styles[0][1:])
+    assert (
+        f"{folder}/key.0003.png is 44x37 with 3 channels of uint8, {folder}/key.0001.png is 44x38"
+    ) in refused(capsys, main([*command, *out]))
     assert not list(folder.glob("out*"))
 
 
@@ -382,7 +582,7 @@ def test_files_of_a_run_are_not_for_others(shot, capsys, monkeypatch, flags, sai
     assert (folder / "run" / "run.json").read_text(encoding="utf-8") == facts
 
 
-def test_an_interrupted_run_goes_on_with_its_folder(shot, monkeypatch):
+def test_an_interrupted_run_goes_on_with_its_folder(shot, capsys, monkeypatch):
     folder = shot[0]
 
     def interrupted(*arguments, **settings):
@@ -391,5 +591,7 @@ def test_an_interrupted_run_goes_on_with_its_folder(shot, monkeypatch):
     with monkeypatch.context() as patched:
         patched.setattr(shot_out, "write_image", interrupted)
         assert sequence(folder, "--run", folder / "run") == 130
+    said = capsys.readouterr().err.splitlines()[-1]
+    assert f"0 of 3 frames are written, and {folder}/run is no whole RUN yet; nothing else" in said
     assert sequence(folder, "--run", folder / "run") == 0
     assert Run(folder / "run").names == ("1", "2", "3")

@@ -83,6 +83,15 @@ def test_ink_leaves_the_geometry(seen, drawn):
     assert (drawn["unshadowed"].mean(axis=-1) < 0.6)[beside].sum() < 10
 
 
+def test_washes_are_less_steep_than_ink(drawn):
+    """Steps between neighbouring pixels of brightness; lines are the steepest."""
+
+    def steep(name):
+        return np.percentile(np.abs(np.diff(drawn[name].mean(axis=-1), axis=1)), 99)
+
+    assert steep("washed") < 0.7 * steep("inked")
+
+
 def test_hatching_fills_an_even_shadow(drawn):
     shadow = drawn["hatched"][45:110, 2:28].mean(axis=-1)
     assert 0.2 < (shadow < 0.7).mean() < 0.8

@@ -14,12 +14,13 @@ from stylit_ref import (
     InputError,
     Motion,
     Params,
+    stylize_frames,
     stylize_views,
     write_image,
 )
 from stylit_ref.views.file_shot import files_digest
-from stylit_ref.views.keys import keys_of
 from stylit_ref.views.problem import make_problem
+from stylit_ref.views.work.keys import keys_of
 
 PARAMS = Params(**EFFORT)
 
@@ -76,6 +77,49 @@ def test_a_digest_is_of_what_files_hold(files, scene):
     write_image(files.guide_files[1][0], scene.guides[1][0])
     after = files.guides_digest(0), files.guides_digest(1), files.motion_digest(0, 1)
     assert [one == other for one, other in zip(before, after, strict=True)] == [True, False, True]
+
+
+def test_files_that_change_after_their_digest_was_taken_are_refused(files, scene):
+    """Also in another process, which has a copy of the shot."""
+    files.guides_digest(1)
+    files.motion_digest(0, 1)
+    elsewhere = pickle.loads(pickle.dumps(files))
+    scene.guides[1][0][0, 0] ^= 1
+    write_image(files.guide_files[1][0], scene.guides[1][0])
+    np.save(files.motion_sources[0, 1].path, 2 * scene.edges[0, 1].field)
+    for shot in (files, elsewhere):
+        with pytest.raises(InputError, match=r"frame b: one of its files has changed since .*1_0"):
+            shot.guides(1)
+        with pytest.raises(InputError, match=r"the motion from frame a into frame b: one of its"):
+            shot.motion(0, 1)
+        shot.guides(0)
+        shot.motion(1, 0)
+    files.guides_digest(1)
+    files.guides(1)
+
+
+def test_no_state_is_kept_of_a_frame_that_changes_as_the_run_goes_on(files, scene, tmp_path):
+    before = scene.guides[1][0].copy()
+
+    def change(step):
+        if step.frame == 0:
+            scene.guides[1][0][0, 0] = 255 - before[0, 0]
+            write_image(files.guide_files[1][0], scene.guides[1][0])
+
+    def results(**more):
+        return stylize_frames(
+            scene.style, scene.sources, files, PARAMS, work=tmp_path / "work", **more
+        )
+
+    with pytest.raises(InputError, match="frame b: one of its files has changed"):
+        list(results(progress=change))
+    write_image(files.guide_files[1][0], before)
+    scene.guides[1][0] = before
+    again = list(results())
+    edges = scene.edges
+    of_arrays = stylize_frames(scene.style, scene.sources, scene.guides, PARAMS, edges=edges)
+    for one, other in zip(again, of_arrays, strict=True):
+        assert np.array_equal(one.nnf, other.nnf)
 
 
 def test_a_grey_frame_is_spread_to_the_colours_of_the_source(files, scene):

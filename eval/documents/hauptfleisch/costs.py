@@ -14,7 +14,7 @@ from eval.outcome import Outcome
 from stylit_ref.machine.code_digest import code_digest
 from stylit_ref.stylization.params import Params
 from stylit_ref.views.params import Coherence
-from stylit_ref.views.work_folder import WorkFolder
+from stylit_ref.views.work.work_folder import WorkFolder
 
 _CODE = code_digest(__file__, without=("gpu_cuda",))
 

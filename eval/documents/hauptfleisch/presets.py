@@ -71,7 +71,7 @@ PRESETS = {
         frames=11,
         rounds=1,
         costed=(("house", "ref"), ("large", "ref")),
-        styles=("hatched", "marker"),
+        styles=("washed", "hatched", "marker"),
         sketches=("inked",),
     ),
     "full": Preset(
@@ -87,7 +87,7 @@ PRESETS = {
         costed=tuple(
             (study, method) for study in ("house", "large") for method in ("ref", "stylit")
         ),
-        styles=("hatched", "marker", "two_walls", "unshadowed"),
+        styles=("washed", "hatched", "marker", "two_walls", "unshadowed"),
         sketches=("inked", "hatched", "marker"),
         with_large_times=True,
     ),

@@ -112,8 +112,8 @@ class GuideRemarks:
         """Tell it."""
         if self._encoded:
             note(
-                f"shows source and target alike: {_listed(self._encoded)}; with none, values "
-                "outside [0, 1] are clipped",
+                f"makes 8 bits of floating point, in source and target alike: "
+                f"{_listed(self._encoded)}; with none, values outside [0, 1] would be clipped",
                 parameter="guide_encoding",
             )
         for text, found in self._found.items():

@@ -1,5 +1,13 @@
 """Names of Blender's passes: short ones up to version 4, long ones from 5 on."""
 
+import re
+
+
+def _letters(name):
+    """A name without what it may be spelled with or without."""
+    return re.sub("[ _-]", "", name).casefold()
+
+
 _LONG = {
     "AO": "Ambient Occlusion",
     "DiffCol": "Diffuse Color",
@@ -23,15 +31,14 @@ _LONG = {
     "VolumeInd": "Volume Indirect",
     "Z": "Depth",
 }
-_OTHER = {short.casefold(): long for short, long in _LONG.items()}
-_OTHER |= {long.casefold(): short for short, long in _LONG.items()}
+_SPELLED = {_letters(spelled): names for names in _LONG.items() for spelled in names}
 
 
-def other_name(name: str) -> str | None:
-    """What another version of Blender calls a pass, with the same view layer before it, if any.
+def names_of_pass(name: str) -> tuple[str, ...]:
+    """What the versions of Blender call a pass, with the same view layer before it, if any.
 
-    ``ViewLayer.DiffDir`` is ``ViewLayer.Diffuse Direct``, and the other way round.
+    ``ViewLayer.object_index`` is ``ViewLayer.IndexOB`` and ``ViewLayer.Object Index``. What is no
+    pass of Blender has no such names.
     """
     view_layer, dot, own = name.rpartition(".")
-    other = _OTHER.get(own.casefold())
-    return other and f"{view_layer}{dot}{other}"
+    return tuple(f"{view_layer}{dot}{each}" for each in _SPELLED.get(_letters(own), ()))

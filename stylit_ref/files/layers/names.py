@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Protocol, TypeVar
 
 from stylit_ref.errors import InputError
-from stylit_ref.files.layers.blender_names import other_name
+from stylit_ref.files.layers.blender_names import names_of_pass
 from stylit_ref.files.layers.contents import Contents
 from stylit_ref.files.layers.layer import Layer
 
@@ -103,10 +103,13 @@ def find_layer(file: Path, name: str | None, contents: Contents) -> Layer:
     if not name:
         return _unnamed(file, contents)
     channels = [channel for layer in contents.layers for channel in layer.channels]
-    other = other_name(name) or name
-    found = (
-        fitting(name, contents.layers) or fitting(other, contents.layers) or fitting(name, channels)
-    )
+    prefix, _, channel = name.rpartition(".")
+    spelled = [(each, contents.layers) for each in (name, *names_of_pass(name))]
+    spelled += [
+        (name, channels),
+        *((f"{each}.{channel}", channels) for each in names_of_pass(prefix)),
+    ]
+    found = next(filter(None, (fitting(*each) for each in spelled)), [])
     if len(found) == 1:
         return found[0]
     if found:

@@ -26,6 +26,12 @@ ALIKE = 0.02
 differences without motion. With even motion, the opposite of the way on is the way back."""
 
 
+_FASTER = (
+    "name frames of the same program in which things move by several pixels, or frames further "
+    "apart and the vectors from one to the other"
+)
+
+
 @dataclass(frozen=True)
 class Trial:
     """A convention that was tried.
@@ -97,7 +103,7 @@ def check_motion(samples: Sequence[Sample]) -> Verdict:
     still = _sum(each.still for of_pair in ways.values() for each in of_pair)
     # A small thing that moves is all that counts, whatever stands still around it.
     if (still.mean if still.pixels else change) < LEAST_CHANGE:
-        return Verdict(None, "the pictures do not move", change)
+        return Verdict(None, f"the pictures do not move; {_FASTER}", change)
     if _are_zero(samples):
         raise InputError(
             f"{samples[0].name}: all vectors are 0 although the pictures move; Blender writes such "
@@ -108,9 +114,13 @@ def check_motion(samples: Sequence[Sample]) -> Verdict:
         return _judged(trials, still.mean, samples[0].vectors.dialect)
     _refuse_orthographic(samples)
     if trials:
-        why = "no convention explains the pictures much better than no motion does"
+        why = (
+            "no convention explains the pictures much better than no motion does; are the vectors "
+            f"of these frames? If the shot is slow, {_FASTER}"
+        )
         return Verdict(None, why, still.mean, trials)
-    return Verdict(None, "all vectors are shorter than half a pixel, or lead outside", change)
+    why = f"all vectors are shorter than half a pixel, or lead outside; {_FASTER}"
+    return Verdict(None, why, change)
 
 
 def _judged(trials: tuple[Trial, ...], still: float, dialect: str) -> Verdict:

@@ -22,13 +22,12 @@ frame before.
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from difflib import get_close_matches
 from itertools import product
 from typing import NamedTuple
 
 import numpy as np
 
-from stylit_ref.errors import InputError
+from stylit_ref.errors import InputError, did_you_mean
 from stylit_ref.files.motion_file import BLENDER, FLO, NUKE, OTHER, OWN, Vectors, VectorsLook
 from stylit_ref.views.frames import Motion
 
@@ -172,11 +171,9 @@ def convention_named(name: str) -> Convention:
     """
     if name in CONVENTIONS:
         return CONVENTIONS[name]
-    close = get_close_matches(name, CONVENTIONS, n=1)
-    meant = f"; did you mean {close[0]}?" if close else ""
     raise InputError(
         f"is {name!r}; write auto or one of {', '.join(PROGRAMS)}, followed by any of "
-        f"{', '.join('-' + change for change in CHANGES)}{meant}",
+        f"{', '.join('-' + change for change in CHANGES)}{did_you_mean(name, CONVENTIONS)}",
         parameter="convention",
     )
 

@@ -14,6 +14,7 @@ from eval.metrics.outlines import band, dark_share
 from eval.metrics.surface_flicker import fast_share, followed
 from eval.metrics.warping import change, warping_error
 from eval.outcome import Outcome
+from stylit_ref import InputError
 from stylit_ref.views.frames import Motion, grid_pairs, sequence_pairs
 
 HEIGHT, WIDTH, STEP = 16, 24, 2
@@ -185,6 +186,13 @@ def test_frames_painted_each_by_itself_flicker():
     _, edges = panorama(5)
     alone = np.stack([noise(seed) for seed in range(5)])
     assert numbers("surface_flicker", alone, edges)["flicker"] > 50
+
+
+def test_frames_that_no_motion_joins_have_no_points_in_common():
+    images, edges = panorama(5)
+    joined = {pair: motion for pair, motion in edges.items() if pair not in ((2, 3), (3, 2))}
+    with pytest.raises(InputError, match="no motion joins the frames 3, 4 to the others"):
+        numbers("surface_flicker", images, joined)
 
 
 @pytest.mark.parametrize("count", [8, 9])

@@ -185,9 +185,9 @@ class TestNotes:
         files = [pair(tmp_path, channels, channels, layer) for layer in layers]
         read_guides(files)
         assert said(tmp_path) == [
-            "guide_encoding shows source and target alike: Combined at 0.25 of its brightness, "
-            "Depth from 1 to 10, Object Index as 3 labels with a colour each; with none, values "
-            "outside [0, 1] are clipped"
+            "guide_encoding makes 8 bits of floating point, in source and target alike: Combined "
+            "at 0.25 of its brightness, Depth from 1 to 10, Object Index as 3 labels with a colour "
+            "each; with none, values outside [0, 1] would be clipped"
         ]
 
     def test_integers_are_no_news(self, tmp_path, image, said):

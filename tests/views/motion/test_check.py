@@ -12,6 +12,11 @@ from stylit_ref.views.motion.check import check_motion
 from stylit_ref.views.motion.conventions import CONVENTIONS
 from stylit_ref.views.motion.samples import Sample
 
+STILL = (
+    "the pictures do not move; name frames of the same program in which things move by several "
+    "pixels, or frames further apart and the vectors from one to the other"
+)
+
 
 def stored(convention, field, *, backward=None, dialect="other", visible=None):
     """Vectors as a program of a convention would write them."""
@@ -73,7 +78,7 @@ def test_a_still_shot_is_undecided():
     middle = sample("perspective", 2, (1, 2, 3))
     here = middle.pictures[1][0]
     verdict = check_motion([middle._replace(pictures={1: (here, here), -1: (here, here)})])
-    assert (verdict.convention, verdict.why) == (None, "the pictures do not move")
+    assert (verdict.convention, verdict.why) == (None, STILL)
 
 
 def test_noise_is_no_motion():
@@ -81,7 +86,7 @@ def test_noise_is_no_motion():
     shown = [100 + rng.normal(0, 3, SIZE).astype(np.float32) for _ in range(2)]
     still = stored(CONVENTIONS["flo"], np.zeros((*SIZE, 2), np.float32))
     verdict = check_motion([Sample("a.flo", still, {1: tuple(shown)})])
-    assert (verdict.convention, verdict.why) == (None, "the pictures do not move")
+    assert (verdict.convention, verdict.why) == (None, STILL)
 
 
 def test_a_small_thing_that_moves_is_enough():
@@ -99,7 +104,9 @@ def test_short_vectors_are_undecided():
     vectors = stored(CONVENTIONS["flo"], np.full((*SIZE, 2), 0.4, np.float32))
     verdict = check_motion(square(vectors))
     assert verdict.convention is None
-    assert verdict.why == "all vectors are shorter than half a pixel, or lead outside"
+    assert verdict.why.startswith(
+        "all vectors are shorter than half a pixel, or lead outside; name"
+    )
 
 
 def test_vectors_that_have_nothing_to_do_with_the_pictures_are_undecided():
@@ -107,6 +114,7 @@ def test_vectors_that_have_nothing_to_do_with_the_pictures_are_undecided():
     verdict = check_motion(square(stored(CONVENTIONS["flo"], field)))
     assert verdict.convention is None
     assert verdict.why.startswith("no convention explains the pictures")
+    assert "If the shot is slow, name frames of the same program in which things" in verdict.why
 
 
 def test_vectors_of_blender_with_motion_blur_are_refused():

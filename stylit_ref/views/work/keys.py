@@ -4,10 +4,10 @@ import hashlib
 from collections.abc import Mapping
 
 from stylit_ref.machine.code_digest import code_digest
-from stylit_ref.views import workbench
 from stylit_ref.views.plan import Plan, Task
 from stylit_ref.views.problem import Problem
 from stylit_ref.views.shot import Shot, arrays_digest
+from stylit_ref.views.work import workbench
 
 
 def code_key(shot: Shot) -> str:

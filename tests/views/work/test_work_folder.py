@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from stylit_ref import InputError
-from stylit_ref.views.state import State
-from stylit_ref.views.work_folder import WorkFolder
+from stylit_ref.views.work.state import State
+from stylit_ref.views.work.work_folder import WorkFolder
 
 
 def state(largest=300):

@@ -7,7 +7,7 @@ from pathlib import Path
 from stylit_ref.errors import InputError
 from stylit_ref.files.disk.paths import check_folder
 from stylit_ref.files.disk.whole_file import whole_file
-from stylit_ref.views.state import State
+from stylit_ref.views.work.state import State
 
 _SUFFIX = ".state"
 _STALE = 3600

@@ -11,18 +11,19 @@ from stylit_ref.stylization.backends import CPU, Backend
 from stylit_ref.stylization.checks import as_image, check_range, check_target_guides, size_text
 from stylit_ref.stylization.exemplar import Exemplar
 from stylit_ref.stylization.level import Level
+from stylit_ref.stylization.mask import active_patches, downsample_mask
 from stylit_ref.stylization.problem import make_exemplar
 from stylit_ref.stylization.schedules import SCHEDULES
 from stylit_ref.stylization.target import TargetLevel
-from stylit_ref.views.coherence import Neighbour, places_of, pull
+from stylit_ref.views.coherence import Neighbour, places_of, pull, without_masked
 from stylit_ref.views.formulae.fold import ONE
 from stylit_ref.views.frames import check_edges
-from stylit_ref.views.kept import Kept
 from stylit_ref.views.packing import coherent_packing
 from stylit_ref.views.params import PLAIN
 from stylit_ref.views.plan import Task
 from stylit_ref.views.problem import Problem
-from stylit_ref.views.state import State
+from stylit_ref.views.work.kept import Kept
+from stylit_ref.views.work.state import State
 
 ROOM = 512 << 20
 """Bytes for what frames need again: packed guides, levels, and where their pixels lie in others."""
@@ -141,11 +142,21 @@ class Workbench:
             exemplar, texture = self._exemplar(task.frame), self._texture(task)
             passes, packing, width = exemplar.passes, exemplar.packing, params.patch_width
             padded = passes.repeat_edge(texture, width // 2)
-            target = TargetLevel(passes, packing, width, padded)
+            target = TargetLevel(passes, packing, width, padded, self._synthesized(task))
             level = Level(exemplar.level(depth), target, params)
             self._kept.forget(lambda other: other[:2] == key[:2])
             self._kept.add(key, level, _bytes_of(level))
         return level
+
+    def _synthesized(self, task):
+        """The pixels of a task's level whose patches take part; None for all."""
+        mask = self._problem.shot.mask(task.frame)
+        if mask is None:
+            return None
+        synthesized = active_patches(mask, self._problem.params.patch_width)
+        for _ in range(self._depth(task)):
+            synthesized = downsample_mask(synthesized)
+        return synthesized
 
     def _texture(self, task):
         """The packed guides of a task's frame at its level."""
@@ -170,6 +181,7 @@ class Workbench:
         if places is None:
             shot, edge = self._problem.shot, (frame, other)
             motion = check_edges({edge: shot.motion(*edge)}, len(shot.names), shot.size)[edge]
+            motion = without_masked(motion, shot.mask(other))
             for each in range(len(self._plan.votes)):
                 found = places_of(motion, each)
                 self._kept.add((kind, frame, other, each), found, found.nbytes)

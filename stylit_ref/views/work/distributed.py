@@ -11,13 +11,13 @@ from itertools import groupby
 from typing import Any
 
 from stylit_ref.errors import InputError
-from stylit_ref.views.keys import code_key
 from stylit_ref.views.params import SEQUENTIAL
 from stylit_ref.views.plan import Plan, Task
 from stylit_ref.views.problem import Problem
-from stylit_ref.views.walk import Walk
-from stylit_ref.views.work_folder import WorkFolder
-from stylit_ref.views.workbench import Workbench
+from stylit_ref.views.work.keys import code_key
+from stylit_ref.views.work.walk import Walk
+from stylit_ref.views.work.work_folder import WorkFolder
+from stylit_ref.views.work.workbench import Workbench
 
 RETRIES = 2
 """How often a task that fails is tried again."""
@@ -39,7 +39,7 @@ class Job:
     threads : int, optional
         Of each process.
     code : str
-        What :func:`stylit_ref.views.keys.code_key` was when the keys were made.
+        What :func:`stylit_ref.views.work.keys.code_key` was when the keys were made.
     """
 
     problem: Problem
@@ -50,7 +50,7 @@ class Job:
 
 
 def do_on_cluster(job: Job, scheduler: str, missing: Sequence[Task]) -> Iterator[Task]:
-    """Do tasks on a cluster; :meth:`stylit_ref.views.walk.Walk.do_here` does them here.
+    """Do tasks on a cluster; :meth:`stylit_ref.views.work.walk.Walk.do_here` does them here.
 
     What runs on a machine is one search-vote iteration of a frame. In parallel order it begins when
     the frame and its neighbours have done the iteration before. In sequential order it is a whole

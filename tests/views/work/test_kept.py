@@ -5,12 +5,12 @@ import pytest
 from small_shot import EFFORT, sliding
 
 from stylit_ref import ArrayShot, Coherence, Params
-from stylit_ref.views.kept import Kept
-from stylit_ref.views.keys import keys_of
 from stylit_ref.views.problem import make_problem
-from stylit_ref.views.walk import Walk
-from stylit_ref.views.work_folder import WorkFolder
-from stylit_ref.views.workbench import Workbench
+from stylit_ref.views.work.kept import Kept
+from stylit_ref.views.work.keys import keys_of
+from stylit_ref.views.work.walk import Walk
+from stylit_ref.views.work.work_folder import WorkFolder
+from stylit_ref.views.work.workbench import Workbench
 
 
 def test_the_largest_goes_first_and_of_equal_ones_that_used_least_recently():

@@ -4,13 +4,13 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from stylit_ref.machine.thread_count import using_threads
 from stylit_ref.views.frame_step import FrameStep
-from stylit_ref.views.kept import Kept
 from stylit_ref.views.params import SEQUENTIAL
 from stylit_ref.views.plan import Plan, Task
 from stylit_ref.views.problem import Problem
-from stylit_ref.views.state import State
-from stylit_ref.views.work_folder import WorkFolder
-from stylit_ref.views.workbench import Workbench
+from stylit_ref.views.work.kept import Kept
+from stylit_ref.views.work.state import State
+from stylit_ref.views.work.work_folder import WorkFolder
+from stylit_ref.views.work.workbench import Workbench
 
 ROOM = 128 << 20
 """Bytes for states that are not read from the disk again."""
@@ -30,7 +30,7 @@ class Walk:
     bench : Workbench
         Of the problem.
     keys : mapping of Task to str
-        From :func:`stylit_ref.views.keys.keys_of`.
+        From :func:`stylit_ref.views.work.keys.keys_of`.
     threads : int, optional
 
     Attributes

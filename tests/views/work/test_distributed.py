@@ -44,7 +44,7 @@ def test_a_cluster_gives_the_same_bytes_although_a_process_is_killed(tmp_path):
 
 
 def test_a_scheduler_that_is_not_there_is_one_sentence(tmp_path, monkeypatch):
-    monkeypatch.setattr("stylit_ref.views.distributed.PATIENCE", "1s")
+    monkeypatch.setattr("stylit_ref.views.work.distributed.PATIENCE", "1s")
     with pytest.raises(InputError, match=r"scheduler tcp://127.0.0.1:9 does not answer"):
         run("parallel", work=tmp_path, scheduler="tcp://127.0.0.1:9")
 
@@ -58,7 +58,7 @@ def test_a_cluster_needs_a_folder_that_all_know():
 def test_a_scheduler_without_workers_is_one_sentence(tmp_path, monkeypatch):
     from dask.distributed import LocalCluster
 
-    monkeypatch.setattr("stylit_ref.views.distributed.PATIENCE", "1s")
+    monkeypatch.setattr("stylit_ref.views.work.distributed.PATIENCE", "1s")
     with (
         LocalCluster(n_workers=0, dashboard_address=None) as cluster,
         pytest.raises(InputError, match=r"has no workers; start some with 'dask worker tcp://"),
