@@ -63,11 +63,14 @@ def stylize_shot(
         outputs = check_shot_outputs(options, files, shot, params, pictures, fields)
         if options.work:
             check_folder(options.work)
+        mesh = files.scene.read_mesh() if options.run else None
         if not coherence.weight:
             note(alone if options.weight is None else _UNUSED)
         channels = shot.style.shape[2], shot.shot.channels
         line.compile(lambda: kernels_of_frames(params, coherence, *channels))
-        writer = _run_writer(options, files, shot, params, coherence) if options.run else None
+        writer = (
+            _run_writer(options, files, shot, params, coherence, mesh) if options.run else None
+        )
         try:
             for result in stylize_views(
                 shot.style, shot.source_guides, shot.shot, params, coherence,
@@ -87,7 +90,7 @@ def stylize_shot(
         _tell_finished(pictures, shot, len(pictures) - len(advanced), perf_counter() - start)
 
 
-def _run_writer(options, files, shot, params, coherence):
+def _run_writer(options, files, shot, params, coherence, mesh):
     return RunWriter(
         options.run,
         make_problem(
@@ -97,6 +100,8 @@ def _run_writer(options, files, shot, params, coherence):
         grid=files.grid,
         cameras=files.cameras,
         profile=read_colour_profile(files.style),
+        mesh=mesh,
+        positions=files.scene.read_positions if files.scene.positions else None,
     )
 
 

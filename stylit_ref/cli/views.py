@@ -7,6 +7,7 @@ from dataclasses import replace
 from stylit_ref.cli.method_options import chosen_params
 from stylit_ref.cli.motion_files import VectorsOfPair, vectors_of_pairs
 from stylit_ref.cli.parser import Parser
+from stylit_ref.cli.scene_files import SceneFiles
 from stylit_ref.cli.shot_in import ShotFiles, missing_files, refuse_all
 from stylit_ref.cli.shot_options import add_other_outputs, add_shot_options, chosen_coherence
 from stylit_ref.cli.stylize_shot import stylize_shot
@@ -61,10 +62,13 @@ def run(options: argparse.Namespace) -> None:
     style = options.style or manifest.style
     paths = [style, *manifest.source_guides, *(path for side in guides for path in side)]
     paths += [path for vectors in motion.values() for path in vectors.files]
+    scene = SceneFiles(manifest.mesh, _of_views(manifest.positions, manifest.views),
+                       _of_views(manifest.ids, manifest.views))
+    paths += scene.files
     refuse_all(missing_files(paths))
     files = ShotFiles(
         style, manifest.source_guides, manifest.views, guides, motion,
-        manifest.grid, manifest.cameras,
+        manifest.grid, manifest.cameras, scene,
     )  # fmt: skip
     pictures, fields = (
         _outputs(text, name, manifest.views) if text else []
@@ -77,16 +81,18 @@ def _motion(manifest: Manifest) -> dict[tuple[int, int], VectorsOfPair]:
     if manifest.motion is None:
         return {}
     views, motion = manifest.views, manifest.motion
-    beside = [
-        {place: text.replace(VIEW, view) for place, view in enumerate(views) if text}
-        for text in (manifest.depth or "", manifest.ids or "")
-    ]
+    beside = [dict(enumerate(_of_views(each, views))) for each in (manifest.depth, manifest.ids)]
     return vectors_of_pairs(
         manifest.pairs,
         lambda to, other: motion.replace(VIEW, views[to]).replace(OTHER, views[other]),
         manifest.motion_convention,
         *beside,
     )
+
+
+def _of_views(text: str | None, views: Sequence[str]) -> list[str]:
+    """The file of every view; none if no file is named."""
+    return [text.replace(VIEW, view) for view in views] if text else []
 
 
 def _outputs(text: str, parameter: str, views: Sequence[str]) -> list[str]:

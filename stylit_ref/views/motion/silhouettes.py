@@ -17,7 +17,7 @@ from scipy.ndimage import maximum_filter
 
 from stylit_ref.views import passes
 from stylit_ref.views.formulae.depth import inverse_depth
-from stylit_ref.views.formulae.silhouette import STEP, reach_of
+from stylit_ref.views.formulae.silhouette import STEP, is_nearer, reach_of
 from stylit_ref.views.frames import Motion
 from stylit_ref.views.motion.places import fetched, places_in_other
 
@@ -63,12 +63,27 @@ def silhouettes_of(
         inverse = (labels != 0).astype(np.float64)
     else:
         return None
+    return silhouettes_of_depths(inverse)
+
+
+def silhouettes_of_depths(inverse: NDArray[np.float64]) -> Silhouettes:
+    """Find the pixels of a frame beside something nearer, from inverse depths.
+
+    Parameters
+    ----------
+    inverse : (H, W) float64
+        0 where nothing is.
+
+    Returns
+    -------
+    Silhouettes
+    """
     size = inverse.shape
     rims, places = np.empty(size, np.bool_), np.empty((*size, 2), np.int32)
     passes.find_rims(inverse, rims)
     reach = reach_of(*size)
-    is_close = maximum_filter(rims, 2 * reach + 1)
-    passes.take_nearer(inverse, rims, is_close, reach, places)
+    nearest = maximum_filter(np.where(rims, inverse, 0), 2 * reach + 1)
+    passes.take_nearer(inverse, rims, is_nearer.py_func(nearest, inverse), reach, places)
     own = np.stack(np.mgrid[: size[0], : size[1]], axis=-1)
     return Silhouettes(places, (places != own).any(axis=2), fetched(inverse, places))
 

@@ -57,7 +57,7 @@ def take_nearer(
     inverse, rims
         As of :func:`find_rims`.
     is_close : (H, W) bool
-        False where no rim is within reach; such pixels are passed over.
+        False where no rim within reach is nearer; such pixels are passed over.
     reach : int
         In pixels.
     places : (H, W, 2) int32
