@@ -9,10 +9,10 @@ from stylit_ref.errors import InputError
 from stylit_ref.notes import note
 from stylit_ref.realtime.formulae.packed_nnf import LARGEST_SIDE, entries_of
 from stylit_ref.views.interpolation.camera import read_camera
+from stylit_ref.views.interpolation.formulae.mean import WIDEST
 from stylit_ref.views.interpolation.formulae.transfer import transfer_of
 from stylit_ref.views.interpolation.mesh_geometry import MeshGeometry, look_at_mesh
 from stylit_ref.views.interpolation.orbit import Orbit, orbit_of
-from stylit_ref.views.interpolation.passes.vote import WIDEST
 from stylit_ref.views.interpolation.positions_geometry import (
     PositionsGeometry,
     positions_of_mesh,
