@@ -58,11 +58,23 @@ def true_motion(mesh, camera, other, size=SIZE):
     _, inverse = look_at_mesh(mesh, camera, size)
     transfer = transfer_of(camera.matrix(size), other.matrix(size))
     [field] = motion_by_depth(inverse, transfer[None])
-    return Motion(field, np.abs(field).max(axis=2) < max(size))
+    own, there = (positions_of_mesh(mesh, each, size).labels for each in (camera, other))
+    place = np.stack(np.mgrid[: size[0], : size[1]], axis=-1) + field[:, :, ::-1]
+    row, column = np.moveaxis(np.floor(place + 0.5).astype(int), -1, 0)
+    is_inside = (row >= 0) & (row < size[0]) & (column >= 0) & (column < size[1])
+    row, column = row.clip(0, size[0] - 1), column.clip(0, size[1] - 1)
+    return Motion(field, is_inside & (there[row, column] == own))
 
 
 def write_run(
-    folder, cameras=None, grid=(2, 3), holds="mesh", facts=None, motion_scale=1.0, **params
+    folder,
+    cameras=None,
+    grid=(2, 3),
+    holds="mesh",
+    facts=None,
+    motion_scale=1.0,
+    has_motion=True,
+    **params,
 ):
     """Write a RUN whose patches come from a smooth random style; ``holds`` mesh or positions."""
     cameras = cameras_of_grid() if cameras is None else cameras
@@ -71,7 +83,7 @@ def write_run(
     guide = np.zeros((*style.shape[:2], 1), np.uint8)
     frames = [[np.zeros((*SIZE, 1), np.uint8)] for _ in cameras]
     edges = {}
-    for to, other in grid_pairs(*grid):
+    for to, other in grid_pairs(*grid) if has_motion else ():
         motion = true_motion(mesh, cameras[to], cameras[other])
         edges[to, other] = motion._replace(field=motion.field * np.float32(motion_scale))
     shot = ArrayShot(frames, edges)

@@ -60,9 +60,18 @@ def test_a_mesh_of_another_scene_is_refused(tmp_path):
         views_of_run(run)
 
 
-def test_a_run_without_mesh_and_positions_is_refused(tmp_path):
-    with pytest.raises(InputError, match="holds neither a mesh nor the positions of all views"):
-        views_of_run(write_run(tmp_path, holds="nothing"))
+def test_a_run_that_tells_nothing_of_motion_is_refused(tmp_path):
+    with pytest.raises(InputError, match="holds neither a mesh, nor positions of all views, nor"):
+        views_of_run(write_run(tmp_path, holds="nothing", has_motion=False))
+
+
+def test_without_mesh_and_cameras_places_count_steps(tmp_path, caplog):
+    caplog.set_level("INFO")
+    views = views_of_run(write_run(tmp_path, holds="nothing", facts=[{}] * 6))
+    assert "holds neither a mesh nor positions, so views between others" in caplog.text
+    assert views.grid.columns.positions == (0, 1, 2)
+    with pytest.raises(InputError, match="2 steps to the right lies outside of the grid"):
+        views.picture((2.0, 0.0))
 
 
 def test_one_view_has_nothing_beside_it(tmp_path):

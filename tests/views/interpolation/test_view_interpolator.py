@@ -2,9 +2,11 @@
 
 import numpy as np
 import pytest
-from small_run import SIZE, box_on_ground, camera_at, write_run
+from small_run import SIZE, box_on_ground, camera_at, true_motion, write_run
 
 from stylit_ref import InputError, views_of_run
+from stylit_ref.views.frames import grid_pairs
+from stylit_ref.views.interpolation.fields_geometry import FieldsGeometry
 from stylit_ref.views.interpolation.mesh_geometry import MeshGeometry
 from stylit_ref.views.interpolation.orbit import orbit_of
 from stylit_ref.views.interpolation.painting import pixels_of, search_among, vote
@@ -90,6 +92,36 @@ def test_what_cannot_be_shown_is_refused(views):
         views.picture((20.0, 0.0))
     with pytest.raises(InputError, match="mode is 'fast'; choose one of linear, image"):
         views.picture(BETWEEN, "fast")
+
+
+def test_fields_tell_nearly_the_motion_of_the_mesh():
+    size, mesh = (60, 80), box_on_ground()
+    orbit = orbit_of([camera_at(a, e) for e in (10, 20) for a in (0, 10)], 2, 2)
+    pairs = grid_pairs(2, 2)
+    edges = {
+        (to, other): true_motion(mesh, orbit.cameras[to], orbit.cameras[other], size)
+        for to, other in pairs
+    }
+    meshed = MeshGeometry(mesh, orbit, size)
+    (_, motion), (_, expected) = (
+        geometry.look((1.0, 1.0), (3, 1, 2, 0))
+        for geometry in (FieldsGeometry(edges, orbit.grid, size), meshed)
+    )
+    known = np.isfinite(motion).all(axis=3)
+    assert known.mean() > 0.8
+    apart = np.abs(motion - expected).max(axis=3)[known]
+    assert np.median(apart) < 0.15
+    assert np.quantile(apart, 0.95) < 1
+
+
+def test_on_a_view_fields_leave_everything_where_it_is(run):
+    grid, pairs = views_of_run(run).grid, grid_pairs(2, 3)
+    geometry = FieldsGeometry({pair: run.motion(*pair) for pair in pairs}, grid, SIZE)
+    surface, motion = geometry.look(CORNER, (0, 1, 3, 4))
+    assert not motion[0].any()
+    np.testing.assert_array_equal(motion[1], np.where(
+        run.motion(0, 1).visible[..., None], run.motion(0, 1).field, np.inf))  # fmt: skip
+    assert not surface.labels.any()
 
 
 def test_positions_tell_nearly_the_motion_of_the_mesh():
