@@ -13,6 +13,7 @@ from skimage.io import imsave
 
 from data_gen.camera import Camera
 from data_gen.guides import Limits, guide, to_uint8
+from data_gen.models.mesh import to_obj
 from data_gen.multilayer_exr import write_layers
 from data_gen.stage import Scene
 
@@ -172,6 +173,25 @@ class MotionOfTurn:
 
 
 @dataclass(frozen=True)
+class SceneMesh:
+    """``scene.obj``, the surface of a scene, for views between those that are rendered.
+
+    Attributes
+    ----------
+    name : str
+    scene : callable
+        Builds the scene.
+    """
+
+    name: str
+    scene: Callable[[], Scene]
+
+    def make(self, folder, rendering, exr):
+        """Write; nothing is rendered."""
+        (folder / "scene.obj").write_text(to_obj(self.scene().parts))
+
+
+@dataclass(frozen=True)
 class ViewsManifest:
     """``views.json``, which tells ``stylit-ref views`` the files of a scene.
 
@@ -186,6 +206,8 @@ class ViewsManifest:
     rows : tuple of tuple of str
         Views that are neighbours, in rows and columns; a sequence is one row.
     has_motion : bool
+    mesh : str or None
+        Name of the piece that holds it.
     """
 
     scene: str
@@ -194,6 +216,7 @@ class ViewsManifest:
     cameras: dict[str, Camera]
     rows: tuple[tuple[str, ...], ...]
     has_motion: bool = True
+    mesh: str | None = None
 
     @property
     def name(self):
@@ -222,4 +245,6 @@ class ViewsManifest:
             content["ids"] = f"{scene}/{{view}}/IDMASK.png"
             if exr:  # DEPTH.png is larger where it is nearer
                 content["depth"] = f"{scene}/{{view}}/passes.exr:DEPTH"
+        if self.mesh:
+            content["mesh"] = f"{data}{self.mesh}/scene.obj"
         (folder / "views.json").write_text(json.dumps(content, indent=1) + "\n")

@@ -16,7 +16,15 @@ from data_gen.camera import (
 from data_gen.guides import CHAPEL_LIMITS, HOUSE_LIMITS, LIGHT_PASSES, STAGE_LIMITS
 from data_gen.models import TARGETS, sphere
 from data_gen.models.mesh import turned
-from data_gen.pieces import Motion, MotionOfTurn, Paintings, Sketches, View, ViewsManifest
+from data_gen.pieces import (
+    Motion,
+    MotionOfTurn,
+    Paintings,
+    SceneMesh,
+    Sketches,
+    View,
+    ViewsManifest,
+)
 from data_gen.stage import chapel_scene, house_scene, on_stage
 
 SIX_GUIDES = ("FULL", "LDE", "LDDE", "LSE", "LIGHTMASK", "WIREFRAME")
@@ -119,19 +127,20 @@ def _around():
 
 
 def _painted_grid(name, sketches, view, cameras):
-    """A grid of views of a building, what was drawn over it, and the manifest."""
+    """A grid of views of a building, what was drawn over it, its mesh, and the manifest."""
     rows = [
         tuple(_place(*at) for at in cameras if at[0] == row)
         for row in dict.fromkeys(row for row, _ in cameras)
     ]
     by_name = {_place(*at): camera for at, camera in cameras.items()}
     grid = grid_of_views(name, view, cameras)
-    return sketches, *grid, _manifest(name, sketches, by_name, rows)
+    mesh = SceneMesh(f"{name}/mesh", grid[0].scene)
+    return sketches, *grid, mesh, _manifest(name, sketches, by_name, rows, mesh=mesh.name)
 
 
-def _manifest(name, sketches, cameras, rows, has_motion=True):
+def _manifest(name, sketches, cameras, rows, has_motion=True, mesh=None):
     style = f"{sketches.name}/sketches/inked.png"
-    return ViewsManifest(name, style, SIX_GUIDES, cameras, tuple(rows), has_motion)
+    return ViewsManifest(name, style, SIX_GUIDES, cameras, tuple(rows), has_motion, mesh)
 
 
 def _animation(frames=16):

@@ -10,9 +10,9 @@ and stylization in real time:
 
 >>> from stylit_ref import RealtimeSession, StagePacking
 
-and views or sequences that do not flicker:
+and views or sequences that do not flicker, and views between them:
 
->>> from stylit_ref import Coherence, Motion, stylize_frames, stylize_views
+>>> from stylit_ref import Coherence, Motion, stylize_frames, stylize_views, views_of_run
 """
 
 from importlib import import_module
@@ -63,6 +63,8 @@ if TYPE_CHECKING:
     from stylit_ref.views.frame_result import FrameResult
     from stylit_ref.views.frame_step import FrameStep
     from stylit_ref.views.frames import Motion, grid_pairs, sequence_pairs
+    from stylit_ref.views.interpolation.of_run import views_of_run
+    from stylit_ref.views.interpolation.view_interpolator import ViewInterpolator
     from stylit_ref.views.motion.between import motion_between
     from stylit_ref.views.motion.conventions import FrameMotion
     from stylit_ref.views.motion.reading import read_motion
@@ -106,6 +108,7 @@ __all__ = [
     "TextureParams",
     "TextureResult",
     "TextureSession",
+    "ViewInterpolator",
     "choose_packing",
     "complete_texture",
     "drag",
@@ -133,6 +136,7 @@ __all__ = [
     "stylize_views",
     "synthesize_texture",
     "to_uint8",
+    "views_of_run",
     "warm_up",
     "write_image",
     "write_nnf",
@@ -176,6 +180,8 @@ _HOMES = {
     "texture.synthesize": ("TextureResult", "synthesize_texture"),
     "views.file_shot": ("FileShot",),
     "views.frames": ("Motion", "grid_pairs", "sequence_pairs"),
+    "views.interpolation.of_run": ("views_of_run",),
+    "views.interpolation.view_interpolator": ("ViewInterpolator",),
     "views.motion.between": ("motion_between",),
     "views.motion.conventions": ("FrameMotion",),
     "views.motion.reading": ("read_motion",),

@@ -109,3 +109,23 @@ def standing(mesh, height=None, width=None):
     scale = height / (high[1] - low[1]) if height else width / (high[0] - low[0])
     foot = np.array([(low[0] + high[0]) / 2, low[1], (low[2] + high[2]) / 2], np.float32)
     return mesh._replace(vertices=np.float32(scale) * (mesh.vertices - foot))
+
+
+def to_obj(parts):
+    """The text of an ``.obj`` file, whose numbers are exact.
+
+    Parameters
+    ----------
+    parts : dict of str to Mesh
+
+    Returns
+    -------
+    str
+    """
+    lines, first = [], 1
+    for name, mesh in parts.items():
+        lines.append(f"o {name}")
+        lines += ["v " + " ".join(map(repr, vertex)) for vertex in mesh.vertices.tolist()]
+        lines += ["f " + " ".join(map(str, face)) for face in (mesh.faces + first).tolist()]
+        first += len(mesh.vertices)
+    return "\n".join(lines) + "\n"

@@ -21,6 +21,7 @@ from stylit_ref.cli import (
     run,
     sequence,
     texture,
+    view,
     views,
     warm_up,
 )
@@ -45,6 +46,7 @@ COMMANDS = (
     run,
     sequence,
     views,
+    view,
     replay,
     texture,
     edit_texture,

@@ -12,6 +12,7 @@ from stylit_ref.cli.motion_files import MotionFiles
 from stylit_ref.cli.motion_look import check_motion_files
 from stylit_ref.cli.paintings import side_by_side
 from stylit_ref.cli.progress_line import ProgressLine
+from stylit_ref.cli.scene_files import SceneFiles
 from stylit_ref.cli.shot_problems import ShotProblems
 from stylit_ref.errors import InputError
 from stylit_ref.files.guides.encoding import GuideEncoding
@@ -47,6 +48,8 @@ class ShotFiles(NamedTuple):
         Rows and columns, if the frames are a grid of views, row by row.
     cameras : sequence of mapping, optional
         What is known of the camera of every frame.
+    scene : SceneFiles, optional
+        What the frames show.
     """
 
     paintings: Sequence[str]
@@ -58,6 +61,7 @@ class ShotFiles(NamedTuple):
     masks: Sequence[str] = ()
     grid: tuple[int, int] | None = None
     cameras: Sequence[Mapping[str, Any]] | None = None
+    scene: SceneFiles = SceneFiles()
 
 
 class ShotIn(NamedTuple):

@@ -52,6 +52,7 @@ def stylize_shot(
         Its message says how to go on.
     """
     start = perf_counter()
+    mesh = files.scene.read_mesh() if options.run else None
     done, advanced = 0, set()
     with ProgressLine(options.quiet) as line:
 
@@ -67,7 +68,7 @@ def stylize_shot(
             note(alone if options.weight is None else _UNUSED)
         channels = shot.style.shape[2], shot.shot.channels
         line.compile(lambda: kernels_of_frames(params, coherence, *channels))
-        writer = _run_writer(options, files, shot, params, coherence) if options.run else None
+        writer = _run_writer(options, files, shot, params, coherence, mesh) if options.run else None
         try:
             for result in stylize_views(
                 shot.style, shot.source_guides, shot.shot, params, coherence,
@@ -87,7 +88,7 @@ def stylize_shot(
         _tell_finished(pictures, shot, len(pictures) - len(advanced), perf_counter() - start)
 
 
-def _run_writer(options, files, shot, params, coherence):
+def _run_writer(options, files, shot, params, coherence, mesh):
     return RunWriter(
         options.run,
         make_problem(
@@ -97,6 +98,8 @@ def _run_writer(options, files, shot, params, coherence):
         grid=files.grid,
         cameras=files.cameras,
         profile=read_colour_profile(files.paintings[0]),
+        mesh=mesh,
+        positions=files.scene.read_positions if files.scene.positions else None,
     )
 
 

@@ -7,6 +7,7 @@ from dataclasses import replace
 from stylit_ref.cli.method_options import chosen_params
 from stylit_ref.cli.motion_files import VectorsOfPairs, vectors_of_pairs
 from stylit_ref.cli.parser import Parser
+from stylit_ref.cli.scene_files import SceneFiles
 from stylit_ref.cli.shot_in import ShotFiles
 from stylit_ref.cli.shot_options import add_other_outputs, add_shot_options, chosen_coherence
 from stylit_ref.cli.shot_problems import ShotProblems
@@ -63,6 +64,12 @@ def run(options: argparse.Namespace) -> None:
     problems = ShotProblems()
     paths = [style, *manifest.source_guides, *(path for side in guides for path in side)]
     paths += [path for vectors in motion.values() for path in vectors.files]
+    scene = SceneFiles(
+        manifest.mesh,
+        _of_views(manifest.positions, manifest.views),
+        _of_views(manifest.ids, manifest.views),
+    )
+    paths += scene.files
     problems.add_missing(paths)
     problems.refuse()
     for files_of_view in guides:
@@ -70,7 +77,7 @@ def run(options: argparse.Namespace) -> None:
     problems.know(motion.values(), manifest.motion, manifest.depth, manifest.ids)
     files = ShotFiles(
         [style], [manifest.source_guides], manifest.views, guides, motion, problems,
-        grid=manifest.grid, cameras=manifest.cameras,
+        grid=manifest.grid, cameras=manifest.cameras, scene=scene,
     )  # fmt: skip
     pictures, fields = (
         _outputs(text, name, manifest.views) if text else []
@@ -83,16 +90,18 @@ def _motion(manifest: Manifest) -> dict[tuple[int, int], VectorsOfPairs]:
     if manifest.motion is None:
         return {}
     views, motion = manifest.views, manifest.motion
-    beside = [
-        {place: text.replace(VIEW, view) for place, view in enumerate(views) if text}
-        for text in (manifest.depth or "", manifest.ids or "")
-    ]
+    beside = [dict(enumerate(_of_views(each, views))) for each in (manifest.depth, manifest.ids)]
     return vectors_of_pairs(
         {pair: pair for pair in manifest.pairs},
         lambda to, other: motion.replace(VIEW, views[to]).replace(OTHER, views[other]),
         manifest.motion_convention,
         *beside,
     )
+
+
+def _of_views(text: str | None, views: Sequence[str]) -> list[str]:
+    """The file of every view; none if no file is named."""
+    return [text.replace(VIEW, view) for view in views] if text else []
 
 
 def _outputs(text: str, parameter: str, views: Sequence[str]) -> list[str]:

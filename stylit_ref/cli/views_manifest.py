@@ -18,6 +18,7 @@ VIEW, OTHER = "{view}", "{other}"
 _KEYS = {
     "style": str, "guides": list, "grid": list, "pairs": list, "motion": str,
     "motion_convention": str, "depth": str, "ids": str, "cameras": dict,
+    "mesh": str, "positions": str,
 }  # fmt: skip
 _KEYS_OF_GUIDE = {"source": str, "view": str, "weight": (int, float)}
 _KINDS = {
@@ -48,6 +49,9 @@ class Manifest:
         With ``{view}``.
     cameras : tuple of dict, or None
         What is said of the camera of each view.
+    mesh : str or None
+    positions : str or None
+        With ``{view}``.
     """
 
     style: str
@@ -62,6 +66,8 @@ class Manifest:
     depth: str | None
     ids: str | None
     cameras: tuple[dict[str, Any], ...] | None
+    mesh: str | None
+    positions: str | None
 
 
 def read_manifest(path: str) -> Manifest:
@@ -105,7 +111,10 @@ def _manifest(content: Any, folder: Path) -> Manifest:
         raise InputError(f"cameras has {strange[0]!r}, which is none of the views")
     if not all(isinstance(camera, dict) for camera in cameras.values()):
         raise InputError("each of cameras must be an object")
-    templates = [*(guide["view"] for guide in guides), values.get("depth"), values.get("ids")]
+    if "mesh" in values and "positions" in values:
+        raise InputError("mesh and positions tell the same; leave positions out")
+    beside = [values.get(key) for key in ("depth", "ids", "positions")]
+    templates = [*(guide["view"] for guide in guides), *beside]
     needed = [(text, VIEW) for text in (*templates, motion)] + [(motion, OTHER)]
     for text, name in needed:
         if text is not None and name not in text:
@@ -120,8 +129,9 @@ def _manifest(content: Any, folder: Path) -> Manifest:
         pairs,
         None if motion is None else str(folder / motion),
         convention,
-        *(None if text is None else str(folder / text) for text in templates[-2:]),
+        *(None if text is None else str(folder / text) for text in beside[:2]),
         tuple(cameras.get(view, {}) for view in views) if cameras else None,
+        *(None if text is None else str(folder / text) for text in (values.get("mesh"), beside[2])),
     )
 
 

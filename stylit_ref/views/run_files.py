@@ -29,6 +29,9 @@ class RunFiles(NamedTuple):
         Of every frame.
     motion : mapping of (int, int) to str
         By ``(to, other)``.
+    mesh : str
+    positions : tuple of str
+        Of every frame; a RUN has either a mesh or positions, or none of them.
     """
 
     style: str
@@ -36,12 +39,15 @@ class RunFiles(NamedTuple):
     pictures: tuple[str, ...]
     nnfs: tuple[str, ...]
     motion: Mapping[tuple[int, int], str]
+    mesh: str
+    positions: tuple[str, ...]
 
     @property
     def names(self) -> list[str]:
         """All of them, and those that name them."""
         images = self.style, *self.source_guides, *self.pictures
-        return [*images, *self.nnfs, *self.motion.values(), RUN_FILE, UNFINISHED_FILE]
+        geometry = *self.motion.values(), self.mesh, *self.positions
+        return [*images, *self.nnfs, *geometry, RUN_FILE, UNFINISHED_FILE]
 
 
 def files_of_run(
@@ -72,6 +78,8 @@ def files_of_run(
         tuple(f"pictures/{name}.png" for name in names),
         tuple(f"nnfs/{name}.npy" for name in names),
         {(to, other): f"motion/{names[to]}_to_{names[other]}.npy" for to, other in pairs},
+        "mesh.npy",
+        tuple(f"positions/{name}.npy" for name in names),
     )
 
 

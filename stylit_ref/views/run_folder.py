@@ -18,7 +18,9 @@ from stylit_ref.files.npy_file import read_arrays
 from stylit_ref.files.read_image import read_uint8
 from stylit_ref.stylization.params import Params
 from stylit_ref.views.frames import Motion
+from stylit_ref.views.mesh import Mesh
 from stylit_ref.views.params import Coherence
+from stylit_ref.views.positions import Positions
 
 RUN_FILE = "run.json"
 SCHEMA, VERSION = "stylit-ref run", 1
@@ -158,12 +160,41 @@ class Run:
             self._file(edge["file"]), lambda field, rest: Motion(field, rest[0].astype(bool))
         )
 
-    def _of_frame(self, frame, what):
+    def mesh(self) -> Mesh | None:
+        """The mesh that the views show; None if the RUN has none.
+
+        Raises
+        ------
+        InputError
+            If its file is damaged.
+        """
+        if "mesh" not in self.facts:
+            return None
+        return read_arrays(
+            self._file(self._fact("mesh")), lambda vertices, rest: Mesh(vertices, *rest)
+        )
+
+    def positions(self, frame: int) -> Positions | None:
+        """Where the points of a frame lie in the scene; None if the RUN does not hold it.
+
+        Raises
+        ------
+        InputError
+            If there is no such frame, or its file is damaged.
+        """
+        if "positions" not in self._of_frame(frame):
+            return None
+        return read_arrays(
+            self._file(self._of_frame(frame, "positions")),
+            lambda points, rest: Positions(points, *rest),
+        )
+
+    def _of_frame(self, frame, *what):
         if not 0 <= frame < len(self.names):
             raise InputError(
                 f"{self.folder}: has no frame {frame}; its frames are 0 to {len(self.names) - 1}"
             )
-        return self._fact("frames", frame, what)
+        return self._fact("frames", frame, *what)
 
     def _image(self, name):
         file = self._file(name)

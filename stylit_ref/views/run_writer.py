@@ -1,7 +1,7 @@
 """Write a RUN (:mod:`stylit_ref.views.run_folder`) as frames finish."""
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
@@ -15,6 +15,8 @@ from stylit_ref.files.nnf_file import write_nnf
 from stylit_ref.files.npy_file import write_arrays
 from stylit_ref.files.write_image import write_image
 from stylit_ref.views.frame_result import FrameResult
+from stylit_ref.views.mesh import Mesh
+from stylit_ref.views.positions import Positions
 from stylit_ref.views.problem import Problem
 from stylit_ref.views.run_files import UNFINISHED_FILE, begin_run, files_of_run
 from stylit_ref.views.run_folder import CONVENTION, RUN_FILE, SCHEMA, VERSION, Run, digest_of
@@ -36,6 +38,10 @@ class RunWriter:
         For every frame what is known of its camera, as JSON can hold it.
     profile : ColourProfile, optional
         Of the style, for the pictures.
+    mesh : Mesh, optional
+        What the views show, for views between them.
+    positions : callable, optional
+        Or the positions of a frame's points, by its number.
 
     Raises
     ------
@@ -54,6 +60,8 @@ class RunWriter:
         grid: tuple[int, int] | None = None,
         cameras: Sequence[Mapping[str, Any]] | None = None,
         profile: ColourProfile | None = None,
+        mesh: Mesh | None = None,
+        positions: Callable[[int], Positions] | None = None,
     ) -> None:
         self.folder = Path(folder)
         self._problem, self._encodings, self._profile = problem, tuple(encodings), profile
@@ -89,6 +97,13 @@ class RunWriter:
             ],
             "motion": [self._motion(*pair) for pair in shot.pairs],
         }
+        if mesh is not None:
+            self._facts["mesh"] = self._arrays(self._files.mesh, mesh)
+        if positions is not None:
+            for frame, (facts, file) in enumerate(
+                zip(self._facts["frames"], self._files.positions, strict=True)
+            ):
+                facts["positions"] = self._arrays(file, positions(frame))
 
     def add(self, result: FrameResult) -> None:
         """Write the picture and the NNF of a frame."""
@@ -123,18 +138,21 @@ class RunWriter:
 
     def _image(self, file, image):
         """Write an image, exactly; OpenImageIO would divide by alpha."""
-        if file.endswith(".png"):
-            write_image(self.folder / file, image)
-        else:
-            write_arrays(self.folder / file, [image])
+        if not file.endswith(".png"):
+            return self._arrays(file, [image])
+        write_image(self.folder / file, image)
+        self._note(file)
+        return file
+
+    def _arrays(self, file, arrays):
+        write_arrays(self.folder / file, list(arrays))
         self._note(file)
         return file
 
     def _motion(self, to, other):
         file = self._files.motion[to, other]
-        write_arrays(self.folder / file, list(self._problem.shot.motion(to, other)))
-        self._note(file)
-        return {"to": to, "other": other, "file": file}
+        motion = self._problem.shot.motion(to, other)
+        return {"to": to, "other": other, "file": self._arrays(file, motion)}
 
     def _note(self, *files):
         for file in files:

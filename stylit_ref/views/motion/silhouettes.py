@@ -17,7 +17,7 @@ from scipy.ndimage import maximum_filter
 
 from stylit_ref.views import passes
 from stylit_ref.views.formulae.depth import inverse_depth
-from stylit_ref.views.formulae.silhouette import STEP, reach_of
+from stylit_ref.views.formulae.silhouette import STEP, is_nearer, reach_of
 from stylit_ref.views.frames import Motion
 from stylit_ref.views.motion.places import fetched, places_in_other
 
@@ -63,14 +63,31 @@ def silhouettes_of(
         inverse = (labels != 0).astype(np.float64)
     else:
         return None
+    places = places_beside(inverse)
+    own = np.stack(np.mgrid[: inverse.shape[0], : inverse.shape[1]], axis=-1)
+    return Silhouettes(places, (places != own).any(axis=2), fetched(inverse, places))
+
+
+def places_beside(inverse: NDArray[np.float64]) -> NDArray[np.int32]:
+    """Find the pixel that each pixel belongs to: its own, or that of something nearer beside it.
+
+    Parameters
+    ----------
+    inverse : (H, W) float64
+        1 / depth, 0 where nothing is.
+
+    Returns
+    -------
+    (H, W, 2) int32
+        (y, x).
+    """
     size = inverse.shape
     rims, places = np.empty(size, np.bool_), np.empty((*size, 2), np.int32)
     passes.find_rims(inverse, rims)
     reach = reach_of(*size)
-    is_close = maximum_filter(rims, 2 * reach + 1)
-    passes.take_nearer(inverse, rims, is_close, reach, places)
-    own = np.stack(np.mgrid[: size[0], : size[1]], axis=-1)
-    return Silhouettes(places, (places != own).any(axis=2), fetched(inverse, places))
+    nearest = maximum_filter(np.where(rims, inverse, 0), 2 * reach + 1)
+    passes.take_nearer(inverse, rims, is_nearer.py_func(nearest, inverse), reach, places)
+    return places
 
 
 def along_silhouettes(motion: Motion, here: Silhouettes, there: Silhouettes) -> Motion:

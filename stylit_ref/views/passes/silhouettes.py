@@ -57,7 +57,7 @@ def take_nearer(
     inverse, rims
         As of :func:`find_rims`.
     is_close : (H, W) bool
-        False where no rim is within reach; such pixels are passed over.
+        False where no rim within reach is nearer; such pixels are passed over.
     reach : int
         In pixels.
     places : (H, W, 2) int32
@@ -71,6 +71,8 @@ def take_nearer(
                 continue
             closest, nearest = reach * reach + 1, np.inf
             for row in range(max(y - reach, 0), min(y + reach + 1, height)):
+                if (row - y) * (row - y) > closest:
+                    continue
                 for column in range(max(x - reach, 0), min(x + reach + 1, width)):
                     if rims[row, column]:
                         away = (row - y) * (row - y) + (column - x) * (column - x)

@@ -1,0 +1,1 @@
+"""Views between those of a grid, from what its views are made of (Hauptfleisch 2020, 3.3)."""
