@@ -1,0 +1,89 @@
+"""The views of a RUN for a page."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stylit_ref.errors import InputError
+from stylit_ref.notes import note
+from stylit_ref.viewer.grid_views import GridViews
+from stylit_ref.views.interpolation.camera import read_camera
+from stylit_ref.views.interpolation.of_run import views_of_run
+from stylit_ref.views.interpolation.orbit import grid_of_steps, orbit_of
+from stylit_ref.views.run_folder import Run
+
+
+def views_of_page(run: Run) -> GridViews:
+    """The views of a RUN, with all that its page needs.
+
+    Parameters
+    ----------
+    run : Run
+        Of a grid of views, or of views in a row.
+
+    Returns
+    -------
+    GridViews
+
+    Raises
+    ------
+    InputError
+        If the RUN is not whole, or of one view.
+    """
+    rows, columns = run.grid or (1, len(run.names))
+    style, width = opaque_style(run.style(), str(run.folder)), run.params.patch_width
+    if run.params.vote_outliers:
+        note(
+            f"{run.folder}: its votes left {run.params.vote_outliers} outliers out, and those of "
+            "the page do not; its views look a little softer than their pictures"
+        )
+    shared = {"size": run.size, "style": style, "patch_width": width}
+
+    def field(frame: int) -> NDArray[np.int32]:
+        last = np.array(style.shape[:2]) - 1 - width // 2
+        return np.clip(run.field(frame).nnf, width // 2, last).astype(np.int32)
+
+    if run.mesh() is None or None in run.cameras:
+        note(
+            f"{run.folder}: holds no mesh, or not all cameras, so its page can only blend views "
+            "into each other; name a mesh and cameras in the manifest of 'stylit-ref views'"
+        )
+        if len(run.names) < 2 or rows * columns != len(run.names):
+            raise InputError(
+                f"{run.folder}: is of {len(run.names)} view, and nothing lies between views; do a "
+                "run with more"
+            )
+        return GridViews(grid_of_steps(rows, columns), **shared, view=field)
+    views_of_run(run)  # it refuses what the page could not show
+    cameras = [read_camera(*each) for each in zip(run.cameras, run.names, strict=True)]
+    orbit = orbit_of(cameras, rows, columns)
+    return GridViews(orbit.grid, **shared, view=field, orbit=orbit, mesh=run.mesh())
+
+
+def opaque_style(style: NDArray[np.uint8], name: str) -> NDArray[np.uint8]:
+    """A style as red, green and blue; on white where it is transparent.
+
+    Parameters
+    ----------
+    style : (H, W, n) uint8
+        Grey or colours, perhaps with alpha.
+    name : str
+        Of what it belongs to, for messages.
+
+    Returns
+    -------
+    (H, W, 3) uint8
+
+    Raises
+    ------
+    InputError
+        If it has more than four channels.
+    """
+    channels = style.shape[2]
+    if channels > 4:
+        raise InputError(f"{name}: its style has {channels} channels; at most 4 can be shown")
+    colours = style if channels in (1, 3) else style[:, :, :-1]
+    if channels in (2, 4):
+        note(f"{name}: its style is transparent in places, and the page shows it on white")
+        alpha = style[:, :, -1:].astype(np.uint32)
+        colours = ((colours * alpha + 255 * (255 - alpha) + 127) // 255).astype(np.uint8)
+    return np.ascontiguousarray(np.broadcast_to(colours, (*style.shape[:2], 3)))

@@ -1,0 +1,58 @@
+// Which engine draws, and how bitmaps are read for it.
+
+import type { Engine, Stage } from "./engine.js";
+import type { Parameters } from "./parameters.js";
+import { PageError } from "./page_data.js";
+import { ScriptEngine } from "./script/engine.js";
+import { WebglEngine } from "./webgl/engine.js";
+
+const SETTINGS: WebGLContextAttributes = {
+  alpha: false,
+  antialias: false,
+  depth: false,
+  powerPreference: "high-performance",
+};
+
+/**
+ * WebGL 2 where a graphics processor runs it. One that is emulated is slower than JavaScript, and a browser
+ * that is asked to say so gives none.
+ */
+export class Engines {
+  private readonly canvas: HTMLCanvasElement;
+  private readonly gl: WebGL2RenderingContext | null;
+  private readonly flat: CanvasRenderingContext2D | null;
+
+  constructor(canvas: HTMLCanvasElement, width: number, height: number, asked: Parameters["engine"]) {
+    canvas.width = width;
+    canvas.height = height;
+    this.canvas = canvas;
+    const settings = { ...SETTINGS, failIfMajorPerformanceCaveat: asked !== "webgl" };
+    this.gl = asked === "script" ? null : (canvas.getContext("webgl2", settings) as WebGL2RenderingContext | null);
+    this.flat = this.gl || asked === "webgl" ? null : canvas.getContext("2d");
+    if (!this.gl && !this.flat)
+      throw new PageError("This browser can draw neither with WebGL 2 nor on a canvas. Open the page in another one.");
+  }
+
+  make(stage: Stage): Engine {
+    return this.gl ? new WebglEngine(this.gl, stage) : new ScriptEngine(this.flat as CanvasRenderingContext2D, stage);
+  }
+
+  /** A browser may take a WebGL context away, and give it back without what was in it. */
+  onRestored(lost: () => void, restored: () => void): void {
+    this.canvas.addEventListener("webglcontextlost", (event) => {
+      event.preventDefault();
+      lost();
+    });
+    this.canvas.addEventListener("webglcontextrestored", restored);
+  }
+}
+
+/** Pixels of a bitmap by a canvas of its own; what it may have changed shows in the sum of the bytes. */
+export function readBitmap(bitmap: ImageBitmap): Uint8ClampedArray {
+  const { width, height } = bitmap;
+  const canvas = Object.assign(document.createElement("canvas"), { width, height });
+  const context = canvas.getContext("2d", { willReadFrequently: true, colorSpace: "srgb" });
+  if (!context) throw new PageError("This browser cannot read the drawing. Open the page in another one.");
+  context.drawImage(bitmap, 0, 0);
+  return context.getImageData(0, 0, width, height).data;
+}

@@ -1,0 +1,92 @@
+// The views that are kept ready. They are decoded when they are first needed; the one that was not
+// needed for longest gives way.
+
+import { lensOf } from "./camera.js";
+import { decode, type ReadBitmap } from "./decode.js";
+import { SLOTS, type Engine, type ViewPixels } from "./engine.js";
+import { fieldOf } from "./fields.js";
+import type { PageData } from "./page_data.js";
+import { toRgba } from "./pixels.js";
+import type { Source } from "./source.js";
+
+export class Store {
+  private readonly data: PageData;
+  private readonly source: Source;
+  private readonly readBitmap: ReadBitmap;
+  private readonly pixels = new Map<number, ViewPixels>();
+  /** By view; the one that was needed last stands last. */
+  private readonly slots = new Map<number, number>();
+  private readonly coming = new Map<number, Promise<void>>();
+  private wanted: readonly number[] = [];
+  private engine: Engine | null = null;
+
+  constructor(data: PageData, source: Source, readBitmap: ReadBitmap) {
+    this.data = data;
+    this.source = source;
+    this.readBitmap = readBitmap;
+  }
+
+  /** Hand all views to an engine, now and as they come. */
+  attach(engine: Engine): void {
+    this.engine = engine;
+    for (const [view, slot] of this.slots) engine.keep(slot, this.pixels.get(view) as ViewPixels);
+  }
+
+  /** Where views are kept; null if some are still to come, which are asked for. */
+  need(views: readonly number[]): number[] | null {
+    this.wanted = views;
+    for (const view of views) this.touch(view);
+    return views.every((view) => this.slots.has(view)) ? views.map((view) => this.slots.get(view) as number) : null;
+  }
+
+  /** When views are there, or a sentence says why not. */
+  async arrived(views: readonly number[]): Promise<void> {
+    await Promise.all(views.filter((view) => !this.slots.has(view)).map((view) => this.fetch(view)));
+  }
+
+  private touch(view: number): void {
+    const slot = this.slots.get(view);
+    if (slot === undefined) return;
+    this.slots.delete(view);
+    this.slots.set(view, slot);
+  }
+
+  private fetch(view: number): Promise<void> {
+    let coming = this.coming.get(view);
+    if (!coming) {
+      coming = this.decoded(view)
+        .then((pixels) => this.keep(view, pixels))
+        .finally(() => this.coming.delete(view));
+      this.coming.set(view, coming);
+    }
+    return coming;
+  }
+
+  private async decoded(view: number): Promise<ViewPixels> {
+    const { nnf, picture, camera } = this.data.views[view];
+    const { width, height } = this.data;
+    const bytes = (piece: typeof nnf) => piece && decode(piece, this.source, this.readBitmap);
+    const [field, colours] = await Promise.all([bytes(nnf), bytes(picture)]);
+    return {
+      field: nnf && field && fieldOf(nnf, field, width, height),
+      rgba: colours && toRgba(colours),
+      lens: camera && lensOf(camera, width, height),
+    };
+  }
+
+  private keep(view: number, pixels: ViewPixels): void {
+    const slot = this.freeSlot();
+    this.pixels.set(view, pixels);
+    this.slots.set(view, slot);
+    this.engine?.keep(slot, pixels);
+  }
+
+  private freeSlot(): number {
+    if (this.slots.size < SLOTS) return this.slots.size;
+    const oldest = [...this.slots.keys()].find((view) => !this.wanted.includes(view)) as number;
+    const slot = this.slots.get(oldest) as number;
+    this.slots.delete(oldest);
+    this.pixels.delete(oldest);
+    return slot;
+  }
+}
