@@ -68,9 +68,7 @@ def stylize_shot(
             note(alone if options.weight is None else _UNUSED)
         channels = shot.style.shape[2], shot.shot.channels
         line.compile(lambda: kernels_of_frames(params, coherence, *channels))
-        writer = (
-            _run_writer(options, files, shot, params, coherence, mesh) if options.run else None
-        )
+        writer = _run_writer(options, files, shot, params, coherence, mesh) if options.run else None
         try:
             for result in stylize_views(
                 shot.style, shot.source_guides, shot.shot, params, coherence,

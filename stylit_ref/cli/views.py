@@ -62,8 +62,11 @@ def run(options: argparse.Namespace) -> None:
     style = options.style or manifest.style
     paths = [style, *manifest.source_guides, *(path for side in guides for path in side)]
     paths += [path for vectors in motion.values() for path in vectors.files]
-    scene = SceneFiles(manifest.mesh, _of_views(manifest.positions, manifest.views),
-                       _of_views(manifest.ids, manifest.views))
+    scene = SceneFiles(
+        manifest.mesh,
+        _of_views(manifest.positions, manifest.views),
+        _of_views(manifest.ids, manifest.views),
+    )
     paths += scene.files
     refuse_all(missing_files(paths))
     files = ShotFiles(

@@ -131,10 +131,7 @@ def _manifest(content: Any, folder: Path) -> Manifest:
         convention,
         *(None if text is None else str(folder / text) for text in beside[:2]),
         tuple(cameras.get(view, {}) for view in views) if cameras else None,
-        *(
-            None if text is None else str(folder / text)
-            for text in (values.get("mesh"), beside[2])
-        ),
+        *(None if text is None else str(folder / text) for text in (values.get("mesh"), beside[2])),
     )
 
 

@@ -1,5 +1,6 @@
 """Meshes in Wavefront's ``.obj``, which every program of architects and artists writes."""
 
+from itertools import pairwise
 from pathlib import Path
 from typing import NamedTuple
 
@@ -65,7 +66,7 @@ def read_obj(path: str | Path) -> MeshArrays:
                     raise ValueError
             elif word == "f":
                 corners = [_corner(value, len(vertices)) for value in values]
-                fan = list(zip(corners[1:-1], corners[2:], strict=True))
+                fan = list(pairwise(corners[1:]))
                 faces += [(corners[0], second, third) for second, third in fan]
                 parts += [names.setdefault(tuple(owner.values()), len(names))] * len(fan)
             elif word in _NEW_PART:

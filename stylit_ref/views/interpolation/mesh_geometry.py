@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 from stylit_ref.views.interpolation import passes
 from stylit_ref.views.interpolation.camera import Camera
 from stylit_ref.views.interpolation.formulae.transfer import plane_depths, transfer_of
-from stylit_ref.views.mesh import Mesh
 from stylit_ref.views.interpolation.orbit import Orbit
 from stylit_ref.views.interpolation.surface import SKY, Surface, motion_by_depth, surface_of
+from stylit_ref.views.mesh import Mesh
 
 NEAR = 0.01
 """What is nearer to a camera than that part of the way to its target is not seen."""

@@ -1,4 +1,4 @@
-"""Motion between views from passes of positions, where there is no mesh, or one that is too large."""
+"""Motion between views from passes of positions, where there is no mesh, or a huge one."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -20,10 +20,10 @@ from stylit_ref.views.interpolation.painting import (
 from stylit_ref.views.interpolation.surface import Geometry
 
 Mode = Literal["linear", "image", "blend", "nnf", "limited", "fade"]
-"""``linear`` blends the pictures of the views around, ``image`` shifts that of the closest and fills
-what it hides from the others, ``blend`` blends all shifted ones (3.3.1). ``nnf`` shifts NNFs and
-votes, ``limited`` adds the limited search (3.3.2). ``fade`` lets frames of ``limited`` fade into each
-other where the closest view changes."""
+"""``linear`` blends the pictures of the views around, ``image`` shifts that of the closest and
+fills what it hides from the others, ``blend`` blends all shifted ones (3.3.1). ``nnf`` shifts NNFs
+and votes, ``limited`` adds the limited search (3.3.2). ``fade`` lets frames of ``limited`` fade
+into each other where the closest view changes."""
 
 MODES: tuple[Mode, ...] = get_args(Mode)
 

@@ -22,7 +22,7 @@ def mean_of_votes(total: int, count: int, reciprocal: int) -> int:
     """``total / count`` rounded half up, ``floor((2 total + count) / (2 count))``.
 
     With r = ``reciprocal_of(count)``, r = (2^32 + e) / (2 count) and e < 2 count. For a numerator m
-    the product m r / 2^32 exceeds m / (2 count) by less than m / 2^32, which leads to no other whole
+    the product m r / 2^32 exceeds m / (2 count) by less than m / 2^32. That leads to no other whole
     number while m < 2^32 / (2 count). Here m is less than 2^17, and 2 count at most 450.
 
     Parameters

@@ -16,9 +16,7 @@ from numba import njit
 from numpy.typing import NDArray
 
 
-def transfer_of(
-    camera: NDArray[np.float64], other: NDArray[np.float64]
-) -> NDArray[np.float64]:
+def transfer_of(camera: NDArray[np.float64], other: NDArray[np.float64]) -> NDArray[np.float64]:
     """T, from the pixels of a camera to those of another.
 
     Parameters
@@ -41,9 +39,7 @@ def rays_of(camera: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[n
     return rays, -rays @ camera[:, 3]
 
 
-def plane_depths(
-    camera: NDArray[np.float64], corners: NDArray[np.float64]
-) -> NDArray[np.float64]:
+def plane_depths(camera: NDArray[np.float64], corners: NDArray[np.float64]) -> NDArray[np.float64]:
     """The inverse depths of the planes of triangles: v = a x + b y + c.
 
     With n normal to a plane, p a point of it and the ray e + z R (x, y, 1), n · (ray - p) = 0 gives
@@ -70,7 +66,9 @@ def plane_depths(
 
 
 @njit
-def transferred(transfer: NDArray[np.float64], x: float, y: float, inverse: float) -> tuple:
+def transferred(
+    transfer: NDArray[np.float64], x: float, y: float, inverse: float
+) -> tuple[float, float]:
     """Where a pixel's point appears: (x, y), or infinitely far away if it is behind the camera.
 
     Parameters
@@ -91,7 +89,9 @@ def transferred(transfer: NDArray[np.float64], x: float, y: float, inverse: floa
 
 
 @njit
-def projected(camera: NDArray[np.float64], point: NDArray[np.float32]) -> tuple:
+def projected(
+    camera: NDArray[np.float64], point: NDArray[np.float32]
+) -> tuple[float, float, float]:
     """Where a camera sees a point: (x, y), and 1 / depth; NaN if the point is behind the camera.
 
     Parameters

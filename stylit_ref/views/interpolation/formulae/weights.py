@@ -34,7 +34,7 @@ def linear_weight(at: float, low: float, high: float) -> int:
 def fading_weight(at: float, low: float, high: float, band: float) -> int:
     """The second view's weight if views fade into each other around the middle between them.
 
-    256 (1/2 + (at - middle) / (band (high - low))), rounded half up, and at least 0 and at most 256.
+    256 (1/2 + (at - middle) / (band (high - low))), rounded half up, from 0 to 256.
 
     Parameters
     ----------

@@ -10,9 +10,7 @@ from stylit_ref.views.interpolation.formulae.weights import weighted_mean
 
 
 @kernel()
-def mix(
-    pictures: NDArray[np.uint8], weights: NDArray[np.int64], mixed: NDArray[np.uint8]
-) -> None:
+def mix(pictures: NDArray[np.uint8], weights: NDArray[np.int64], mixed: NDArray[np.uint8]) -> None:
     """The weighted mean of K pictures: the linear blend of views, and the fade between frames.
 
     Parameters

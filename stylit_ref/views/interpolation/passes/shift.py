@@ -1,4 +1,4 @@
-"""Find where each pixel's point lies in the views around, masked by face, and fetch what is there."""
+"""Find where each pixel's point lies in the views around, masked by face, and fetch from there."""
 
 import numpy as np
 from numba import prange
@@ -38,7 +38,8 @@ def shift(
         masked. A place outside of the picture is masked, and held at the edge.
     """
     count, height, width = places.shape
-    for y in prange(height):
+    for line in prange(height):
+        y = np.int64(line)
         for k in range(count):
             for x in range(width):
                 near_y, near_x = beside[y, x, 0], beside[y, x, 1]
@@ -53,10 +54,7 @@ def shift(
                 inner_x = min(max(column, 0), width - 1)
                 is_inside = is_near and row == inner_y and column == inner_x
                 place = packed(inner_y, inner_x)
-                if (
-                    is_inside
-                    and view_labels[views[k], inner_y, inner_x] == labels[near_y, near_x]
-                ):
+                if is_inside and view_labels[views[k], inner_y, inner_x] == labels[near_y, near_x]:
                     places[k, y, x] = place
                 else:
                     places[k, y, x] = ~place

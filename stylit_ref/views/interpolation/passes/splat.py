@@ -73,7 +73,8 @@ def fill_holes(
         Written: the same without gaps of a pixel.
     """
     height, width = found.shape
-    for y in prange(height):
+    for line in prange(height):
+        y = np.int64(line)
         for x in range(width):
             filled[y, x], filled_inverse[y, x] = found[y, x], inverse[y, x]
             if found[y, x] >= 0:
