@@ -188,13 +188,6 @@
     const level = combine([Math.cos(a), front], [Math.sin(a), cross(axis, front)]);
     return combine([1, target], [distance * Math.cos(e), level], [distance * Math.sin(e), axis]);
   }
-  function clipMatrix(lens, width, height, step) {
-    const { across, down, depth, near } = lens;
-    const side = (row, pixels) => depth.map((each, i) => (2 * row[i] + each) / step / pixels - each);
-    const clip = depth.map((each, i) => each - (i === 3 ? 2 * near : 0));
-    const rows = [side(across, width), side(down, height), clip, depth];
-    return [0, 1, 2, 3].flatMap((column) => rows.map((row) => row[column]));
-  }
   function transferOf(from, to) {
     return [to.across, to.down, to.depth].map((row) => [
       dot(row, from.right),
@@ -588,8 +581,10 @@
     stage;
     kept = [];
     shown;
-    fields = { shifted: new Uint16Array(0), searched: new Uint16Array(0) };
+    fields;
     voted;
+    found = [];
+    frames = [];
     constructor(canvas, stage) {
       const { width, height } = stage;
       this.canvas = canvas;
@@ -607,9 +602,15 @@
     }
     finish() {
     }
+    /** `places` are those of the views around, in every pixel one after the other. */
     read(buffer) {
       if (buffer === "shifted" || buffer === "searched") return this.fields[buffer];
-      return buffer === "voted" ? this.voted : Uint8Array.from(this.shown.data);
+      if (buffer === "places") {
+        const views = this.found.length;
+        return Int32Array.from({ length: views * this.found[0].length }, (_, i) => this.found[i % views][Math.floor(i / views)]);
+      }
+      if (buffer === "voted") return this.voted;
+      return buffer === "mixed" ? Uint8Array.from(this.shown.data) : this.frames[Number(buffer.replace("frame", ""))];
     }
     /** Run the passes of a mode; returns four bytes a pixel. */
     picture(moment) {
@@ -620,7 +621,7 @@
         mix(views.map((view) => this.pictureOf(view)), around.map((view) => view.linear), mixed);
         return mixed;
       }
-      const places = this.places(moment);
+      const places = this.found = this.places(moment);
       if (mode === "image" || mode === "blend") {
         mixShifted(places, views.map((view) => this.pictureOf(view)), shiftedWeights(moment), mixed);
         return mixed;
@@ -631,8 +632,9 @@
         const [ownPlaces, ownFields] = [order.map((k) => places[k]), order.map((k) => fields[k])];
         return this.frame(ownPlaces, ownFields, mode === "nnf");
       });
+      this.frames = made.reverse();
       if (made.length === 1) return made[0];
-      mix(made.reverse(), frames.map((frame) => frame.weight), mixed);
+      mix(this.frames, frames.map((frame) => frame.weight), mixed);
       return mixed;
     }
     frame(places, fields, isShiftAlone) {
@@ -713,15 +715,13 @@ precision highp usampler2DArray;
 void main() {
   gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4. - 1., 1., 1.);
 }`;
-  function program(fragment, vertex = WHOLE2, attributes = []) {
-    return { fragment, vertex, attributes, linked: null };
+  function program(fragment, vertex = WHOLE2) {
+    return { fragment, vertex, linked: null };
   }
   var Context = class {
     gl;
-    nothing;
     constructor(gl) {
       this.gl = gl;
-      this.nothing = gl.createVertexArray();
       gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
       gl.pixelStorei(gl.PACK_ALIGNMENT, 1);
       gl.disable(gl.DITHER);
@@ -765,7 +765,7 @@ void main() {
       const { gl } = this;
       const depth = gl.createRenderbuffer();
       gl.bindRenderbuffer(gl.RENDERBUFFER, depth);
-      gl.renderbufferStorage(gl.RENDERBUFFER, gl.DEPTH_COMPONENT24, width, height);
+      gl.renderbufferStorage(gl.RENDERBUFFER, gl.DEPTH_COMPONENT32F, width, height);
       return depth;
     }
     /** Take a program, its textures and its other uniforms, and a target; null is the canvas. */
@@ -789,10 +789,8 @@ void main() {
     }
     /** Draw the whole target with a program. */
     fill(program2, values, target) {
-      const { gl } = this;
       this.use(program2, values, target);
-      gl.bindVertexArray(this.nothing);
-      gl.drawArrays(gl.TRIANGLES, 0, 3);
+      this.gl.drawArrays(this.gl.TRIANGLES, 0, 3);
     }
     /** The pixels of a texture. */
     read(from, width, height) {
@@ -807,7 +805,7 @@ void main() {
       for (let i = 0, to = 0; i < all.length; i += 4) for (let c = 0; c < channels; c++) read[to++] = all[i + c];
       return read;
     }
-    link({ fragment, vertex, attributes }) {
+    link({ fragment, vertex }) {
       const { gl } = this;
       const program2 = gl.createProgram();
       const shaders = [["VERTEX_SHADER", vertex], ["FRAGMENT_SHADER", fragment]].map(([kind, source]) => {
@@ -817,7 +815,6 @@ void main() {
         gl.attachShader(program2, shader);
         return shader;
       });
-      attributes.forEach((name, place) => gl.bindAttribLocation(program2, place, name));
       gl.linkProgram(program2);
       if (!gl.getProgramParameter(program2, gl.LINK_STATUS) && !gl.isContextLost())
         throw new Error([gl.getProgramInfoLog(program2), ...shaders.map((each) => gl.getShaderInfoLog(each))].join(" "));
@@ -835,6 +832,8 @@ void main() {
       if (type === gl.INT) gl.uniform1iv(location2, numbers);
       else if (type === gl.INT_VEC2) gl.uniform2iv(location2, numbers);
       else if (type === gl.INT_VEC4) gl.uniform4iv(location2, numbers);
+      else if (type === gl.FLOAT) gl.uniform1fv(location2, numbers);
+      else if (type === gl.FLOAT_VEC2) gl.uniform2fv(location2, numbers);
       else if (type === gl.FLOAT_VEC3) gl.uniform3fv(location2, numbers);
       else if (type === gl.FLOAT_VEC4) gl.uniform4fv(location2, numbers);
       else if (type === gl.FLOAT_MAT3) gl.uniformMatrix3fv(location2, false, numbers);
@@ -848,7 +847,8 @@ void main() {
     RG16UI: { channels: 2, numbers: Uint16Array, format: "RG_INTEGER", type: "UNSIGNED_SHORT" },
     RG32UI: { channels: 2, numbers: Uint32Array, format: "RG_INTEGER", type: "UNSIGNED_INT" },
     RGBA8UI: { channels: 4, numbers: Uint8Array, format: "RGBA_INTEGER", type: "UNSIGNED_BYTE" },
-    RGBA16I: { channels: 4, numbers: Int16Array, format: "RGBA_INTEGER", type: "SHORT" }
+    RGBA16I: { channels: 4, numbers: Int16Array, format: "RGBA_INTEGER", type: "SHORT" },
+    RGBA32F: { channels: 4, numbers: Float32Array, format: "RGBA", type: "FLOAT" }
   };
 
   // src/webgl/finish.ts
@@ -1053,7 +1053,7 @@ uniform int reach;
 layout(location = 0) out uvec2 beside;
 void main() {
   ivec2 p = ivec2(gl_FragCoord.xy), found = p;
-  float own = inverseAt(p), nearest = 0.;
+  float own = inverseAt(p), nearest = 1e30;
   int closest = reach * reach + 1;
   for (int y = max(p.y - reach, 0); y <= min(p.y + reach, size.y - 1); y++) {
     if (texelFetch(rimsInRow, ivec2(p.x, y), 0).x == 0u) continue;
@@ -1084,28 +1084,59 @@ void main() {
 }`;
 
   // src/webgl/mesh_shader.ts
-  var MESH_ATTRIBUTES = ["corner", "plane"];
+  var TEXELS = 4;
   var MESH_VERTEX = `
-in vec4 corner;  // x, y, z, face
-in vec4 plane;
-uniform mat4 clip;
+uniform highp sampler2D triangles;
+uniform vec4 lens[3];
 uniform vec3 eye;
 uniform mat3 ray;
+uniform vec2 middle;
+uniform ivec2 size;
+uniform int step;
+flat out vec3 edges[3];
 flat out vec3 inverseDepth;
 flat out uint label;
+vec4 texel(int n) { int width = textureSize(triangles, 0).x; return texelFetch(triangles, ivec2(n % width, n / width), 0); }
 void main() {
+  int first = gl_VertexID / 3 * ${TEXELS};
+  vec3 corners[3];
+  for (int k = 0; k < 3; k++) {
+    vec4 point = vec4(texel(first + k).xyz, 1.);
+    float z = dot(lens[2], point);
+    corners[k] = vec3(dot(lens[0], point) - middle.x * z, dot(lens[1], point) - middle.y * z, z);
+  }
+  for (int k = 0; k < 3; k++) edges[k] = cross(corners[(k + 1) % 3], corners[(k + 2) % 3] - corners[(k + 1) % 3]);
+  float turn = dot(corners[0], edges[0]) < 0. ? -1. : 1.;
+  for (int k = 0; k < 3; k++) edges[k] *= turn;
+  vec4 plane = texel(first + 3);
   inverseDepth = plane.xyz * ray / -(dot(plane.xyz, eye) + plane.w);
-  label = uint(corner.w);
-  gl_Position = clip * vec4(corner.xyz, 1.);
+  label = uint(texel(first).w);
+  vec3 larger[2];
+  for (int k = 0; k < 2; k++) {
+    vec3 edge = edges[(gl_VertexID + k + 1) % 3];
+    larger[k] = edge + vec3(0., 0., float(step) * (abs(edge.x) + abs(edge.y)));
+  }
+  vec3 corner = turn * cross(larger[0], larger[1]);
+  corner.xy += middle * corner.z;
+  vec2 clip = (2. * corner.xy + corner.z) / float(step) / vec2(size) - corner.z;
+  gl_Position = vec4(clip, 0., corner.z);
 }`;
   var SURFACE = `
+flat in vec3 edges[3];
 flat in vec3 inverseDepth;
 flat in uint label;
+uniform vec2 middle;
+uniform float near;
 uniform int step;
 layout(location = 0) out uvec2 surface;  // face, bits of the inverse depth
 void main() {
   vec2 at = gl_FragCoord.xy * float(step) - .5;
-  surface = uvec2(label, floatBitsToUint(dot(inverseDepth, vec3(at, 1.))));
+  vec3 centred = vec3(at - middle, 1.);
+  for (int k = 0; k < 3; k++) if (!(dot(edges[k], centred) >= 0.)) discard;
+  float inverse = dot(inverseDepth, vec3(at, 1.));
+  if (!(inverse > 0. && inverse * near < 1.)) discard;
+  surface = uvec2(label, floatBitsToUint(inverse));
+  gl_FragDepth = inverse * near;
 }`;
 
   // src/webgl/surfaces.ts
@@ -1116,7 +1147,7 @@ void main() {
     triangles;
     depth;
     targets = /* @__PURE__ */ new Map();
-    surface = program(SURFACE, MESH_VERTEX, MESH_ATTRIBUTES);
+    surface = program(SURFACE, MESH_VERTEX);
     rims = program(RIMS);
     rimsInRow = program(RIMS_IN_ROW);
     beside = program(BESIDE);
@@ -1124,9 +1155,9 @@ void main() {
       this.context = context;
       this.buffers = buffers;
       this.stage = stage;
-      this.triangles = uploaded(context.gl, mesh);
+      this.triangles = uploaded(context, mesh);
       this.depth = context.depth(stage.width, stage.height);
-      context.gl.depthFunc(context.gl.LEQUAL);
+      context.gl.depthFunc(context.gl.GREATER);
     }
     /** Write `surface` and `beside` at every `step`-th pixel; returns their size. */
     see(lens, step) {
@@ -1134,13 +1165,21 @@ void main() {
       const { gl } = context;
       const [width, height] = [stage.width, stage.height].map((side) => Math.ceil(side / step));
       const size = [width, height];
-      const { eye, right, below, corner } = lens;
-      const values = { clip: clipMatrix(lens, width, height, step), eye, ray: [...right, ...below, ...corner], step };
+      const { eye, near, right, below, corner } = lens;
+      const values = {
+        triangles: this.triangles,
+        lens: [lens.across, lens.down, lens.depth].flat(),
+        eye,
+        near,
+        size,
+        step,
+        ray: [...right, ...below, ...corner],
+        middle: [stage.width / 2, stage.height / 2]
+      };
       context.use(this.surface, values, this.target("surface", width, height));
       gl.clearBufferuiv(gl.COLOR, 0, [SKY, 0, 0, 0]);
-      gl.clearBufferfv(gl.DEPTH, 0, [1]);
+      gl.clearBufferfv(gl.DEPTH, 0, [0]);
       gl.enable(gl.DEPTH_TEST);
-      gl.bindVertexArray(this.triangles);
       gl.drawArrays(gl.TRIANGLES, 0, 3 * stage.mesh.faces.length);
       gl.disable(gl.DEPTH_TEST);
       const { surface, rims, rimsInRow } = buffers;
@@ -1161,26 +1200,22 @@ void main() {
       return target;
     }
   };
-  function uploaded(gl, mesh) {
-    const vertices = new Float32Array(24 * mesh.faces.length);
-    mesh.faces.forEach((face, t) => {
-      const plane = mesh.planes.subarray(4 * t, 4 * t + 4);
+  function uploaded(context, mesh) {
+    const count = mesh.faces.length;
+    const width = TEXELS * Math.min(count, 512);
+    const height = Math.ceil(TEXELS * count / width);
+    const texels = new Float32Array(4 * width * height);
+    for (let t = 0; t < count; t++) {
+      const to = 4 * TEXELS * t;
       for (let k = 0; k < 3; k++) {
-        const to = 24 * t + 8 * k;
-        vertices.set(mesh.corners.subarray(9 * t + 3 * k, 9 * t + 3 * k + 3), to);
-        vertices[to + 3] = face;
-        vertices.set(plane, to + 4);
+        texels.set(mesh.corners.subarray(9 * t + 3 * k, 9 * t + 3 * k + 3), to + 4 * k);
+        texels[to + 4 * k + 3] = mesh.faces[t];
       }
-    });
-    const array = gl.createVertexArray();
-    gl.bindVertexArray(array);
-    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
-    gl.bufferData(gl.ARRAY_BUFFER, vertices, gl.STATIC_DRAW);
-    for (const place of [0, 1]) {
-      gl.enableVertexAttribArray(place);
-      gl.vertexAttribPointer(place, 4, gl.FLOAT, false, 32, 16 * place);
+      texels.set(mesh.planes.subarray(4 * t, 4 * t + 4), to + 12);
     }
-    return array;
+    const texture = context.texture("RGBA32F", width, height);
+    context.set(texture, width, height, texels);
+    return texture;
   }
 
   // src/webgl/vote.ts

@@ -58,18 +58,6 @@ export function onOrbit(target: Vector, up: Vector, azimuth: number, elevation: 
 }
 
 /**
- * The matrix of WebGL, column by column, that rasters a buffer of `width` times `height` pixels, each
- * `step` pixels of the lens wide. Behind it there is no end.
- */
-export function clipMatrix(lens: Lens, width: number, height: number, step: number): number[] {
-  const { across, down, depth, near } = lens;
-  const side = (row: Row, pixels: number) => depth.map((each, i) => (2 * row[i] + each) / step / pixels - each);
-  const clip = depth.map((each, i) => each - (i === 3 ? 2 * near : 0));
-  const rows = [side(across, width), side(down, height), clip, depth];
-  return [0, 1, 2, 3].flatMap((column) => rows.map((row) => row[column]));
-}
-
-/**
  * The matrix that takes (x, y, 1, v), a pixel of one lens and its inverse depth v, to where another one
  * sees the point: (across, down, depth), up to a factor. Row by row.
  */

@@ -55,7 +55,7 @@ export interface Engine {
   /** Wait until what was asked for is drawn. */
   finish(): void;
   /** A buffer as the last frame left it: fields for stills, and any for tests. */
-  read(buffer: string): Uint8Array | Uint16Array | Uint32Array | Int16Array;
+  read(buffer: string): Uint8Array | Uint16Array | Uint32Array | Int16Array | Int32Array | Float32Array;
 }
 
 /** How many views are kept ready; the one that was not needed for longest gives way. */

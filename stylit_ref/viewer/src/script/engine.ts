@@ -22,8 +22,10 @@ export class ScriptEngine implements Engine {
   private readonly stage: Stage;
   private readonly kept: Kept[] = [];
   private readonly shown: ImageData;
-  private readonly fields = { shifted: new Uint16Array(0), searched: new Uint16Array(0) };
+  private readonly fields: { shifted: Uint16Array; searched: Uint16Array };
   private readonly voted: Uint8Array;
+  private found: Places[] = [];
+  private frames: Uint8Array[] = [];
 
   constructor(canvas: CanvasRenderingContext2D, stage: Stage) {
     const { width, height } = stage;
@@ -45,9 +47,15 @@ export class ScriptEngine implements Engine {
 
   finish(): void {}
 
-  read(buffer: string): Uint16Array | Uint8Array {
+  /** `places` are those of the views around, in every pixel one after the other. */
+  read(buffer: string): Uint8Array | Uint16Array | Int32Array {
     if (buffer === "shifted" || buffer === "searched") return this.fields[buffer];
-    return buffer === "voted" ? this.voted : Uint8Array.from(this.shown.data);
+    if (buffer === "places") {
+      const views = this.found.length;
+      return Int32Array.from({ length: views * this.found[0].length }, (_, i) => this.found[i % views][Math.floor(i / views)]);
+    }
+    if (buffer === "voted") return this.voted;
+    return buffer === "mixed" ? Uint8Array.from(this.shown.data) : this.frames[Number(buffer.replace("frame", ""))];
   }
 
   /** Run the passes of a mode; returns four bytes a pixel. */
@@ -59,7 +67,7 @@ export class ScriptEngine implements Engine {
       mix(views.map((view) => this.pictureOf(view)), around.map((view) => view.linear), mixed);
       return mixed;
     }
-    const places = this.places(moment);
+    const places = (this.found = this.places(moment));
     if (mode === "image" || mode === "blend") {
       mixShifted(places, views.map((view) => this.pictureOf(view)), shiftedWeights(moment), mixed);
       return mixed;
@@ -71,8 +79,9 @@ export class ScriptEngine implements Engine {
       const [ownPlaces, ownFields] = [order.map((k) => places[k]), order.map((k) => fields[k])];
       return this.frame(ownPlaces, ownFields, mode === "nnf");
     });
+    this.frames = made.reverse();
     if (made.length === 1) return made[0];
-    mix(made.reverse(), frames.map((frame) => frame.weight), mixed);
+    mix(this.frames, frames.map((frame) => frame.weight), mixed);
     return mixed;
   }
 

@@ -4,7 +4,6 @@
 export interface Program {
   fragment: string;
   vertex: string;
-  attributes: readonly string[];
   linked: { program: WebGLProgram; uniforms: Map<string, Uniform> } | null;
 }
 
@@ -25,7 +24,7 @@ export interface Target {
   height: number;
 }
 
-/** Whole numbers alone: nothing is filtered, and nothing is rounded by the hardware. */
+/** Whole numbers, and the model: nothing is filtered, and nothing is rounded by the hardware. */
 export type Format = keyof typeof KINDS;
 
 export type Value = Texture | number | readonly number[];
@@ -44,17 +43,15 @@ void main() {
   gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4. - 1., 1., 1.);
 }`;
 
-export function program(fragment: string, vertex: string = WHOLE, attributes: readonly string[] = []): Program {
-  return { fragment, vertex, attributes, linked: null };
+export function program(fragment: string, vertex: string = WHOLE): Program {
+  return { fragment, vertex, linked: null };
 }
 
 export class Context {
   readonly gl: WebGL2RenderingContext;
-  private readonly nothing: WebGLVertexArrayObject;
 
   constructor(gl: WebGL2RenderingContext) {
     this.gl = gl;
-    this.nothing = gl.createVertexArray();
     gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
     gl.pixelStorei(gl.PACK_ALIGNMENT, 1);
     gl.disable(gl.DITHER);
@@ -103,7 +100,7 @@ export class Context {
     const { gl } = this;
     const depth = gl.createRenderbuffer();
     gl.bindRenderbuffer(gl.RENDERBUFFER, depth);
-    gl.renderbufferStorage(gl.RENDERBUFFER, gl.DEPTH_COMPONENT24, width, height);
+    gl.renderbufferStorage(gl.RENDERBUFFER, gl.DEPTH_COMPONENT32F, width, height);
     return depth;
   }
 
@@ -129,10 +126,8 @@ export class Context {
 
   /** Draw the whole target with a program. */
   fill(program: Program, values: Record<string, Value>, target: Target | null): void {
-    const { gl } = this;
     this.use(program, values, target);
-    gl.bindVertexArray(this.nothing);
-    gl.drawArrays(gl.TRIANGLES, 0, 3);
+    this.gl.drawArrays(this.gl.TRIANGLES, 0, 3);
   }
 
   /** The pixels of a texture. */
@@ -149,7 +144,7 @@ export class Context {
     return read;
   }
 
-  private link({ fragment, vertex, attributes }: Program): { program: WebGLProgram; uniforms: Map<string, Uniform> } {
+  private link({ fragment, vertex }: Program): { program: WebGLProgram; uniforms: Map<string, Uniform> } {
     const { gl } = this;
     const program = gl.createProgram();
     const shaders = ([["VERTEX_SHADER", vertex], ["FRAGMENT_SHADER", fragment]] as const).map(([kind, source]) => {
@@ -159,7 +154,6 @@ export class Context {
       gl.attachShader(program, shader);
       return shader;
     });
-    attributes.forEach((name, place) => gl.bindAttribLocation(program, place, name));
     gl.linkProgram(program);
     if (!gl.getProgramParameter(program, gl.LINK_STATUS) && !gl.isContextLost())
       throw new Error([gl.getProgramInfoLog(program), ...shaders.map((each) => gl.getShaderInfoLog(each))].join(" "));
@@ -178,6 +172,8 @@ export class Context {
     if (type === gl.INT) gl.uniform1iv(location, numbers);
     else if (type === gl.INT_VEC2) gl.uniform2iv(location, numbers);
     else if (type === gl.INT_VEC4) gl.uniform4iv(location, numbers);
+    else if (type === gl.FLOAT) gl.uniform1fv(location, numbers);
+    else if (type === gl.FLOAT_VEC2) gl.uniform2fv(location, numbers);
     else if (type === gl.FLOAT_VEC3) gl.uniform3fv(location, numbers);
     else if (type === gl.FLOAT_VEC4) gl.uniform4fv(location, numbers);
     else if (type === gl.FLOAT_MAT3) gl.uniformMatrix3fv(location, false, numbers);
@@ -186,7 +182,7 @@ export class Context {
   }
 }
 
-export type Numbers = Uint8Array | Uint16Array | Uint32Array | Int16Array;
+export type Numbers = Uint8Array | Uint16Array | Uint32Array | Int16Array | Float32Array;
 
 /** Of each format: channels, the arrays that hold its numbers, and what WebGL calls both. */
 const KINDS = {
@@ -196,4 +192,5 @@ const KINDS = {
   RG32UI: { channels: 2, numbers: Uint32Array, format: "RG_INTEGER", type: "UNSIGNED_INT" },
   RGBA8UI: { channels: 4, numbers: Uint8Array, format: "RGBA_INTEGER", type: "UNSIGNED_BYTE" },
   RGBA16I: { channels: 4, numbers: Int16Array, format: "RGBA_INTEGER", type: "SHORT" },
+  RGBA32F: { channels: 4, numbers: Float32Array, format: "RGBA", type: "FLOAT" },
 } as const;

@@ -51,7 +51,7 @@ uniform int reach;
 layout(location = 0) out uvec2 beside;
 void main() {
   ivec2 p = ivec2(gl_FragCoord.xy), found = p;
-  float own = inverseAt(p), nearest = 0.;
+  float own = inverseAt(p), nearest = 1e30;
   int closest = reach * reach + 1;
   for (int y = max(p.y - reach, 0); y <= min(p.y + reach, size.y - 1); y++) {
     if (texelFetch(rimsInRow, ivec2(p.x, y), 0).x == 0u) continue;

@@ -1,20 +1,20 @@
 // Passes 1 and 2: what a lens sees of the mesh, with strokes beside silhouettes.
 
-import { clipMatrix, type Lens } from "../camera.js";
+import type { Lens } from "../camera.js";
 import { SKY, type Mesh, type Stage } from "../engine.js";
 import type { Buffers } from "./buffers.js";
-import { program, type Context, type Target } from "./context.js";
-import { MESH_ATTRIBUTES, MESH_VERTEX, SURFACE } from "./mesh_shader.js";
+import { program, type Context, type Target, type Texture } from "./context.js";
+import { MESH_VERTEX, SURFACE, TEXELS } from "./mesh_shader.js";
 import { BESIDE, RIMS, RIMS_IN_ROW } from "./silhouettes.js";
 
 export class Surfaces {
   private readonly context: Context;
   private readonly buffers: Buffers;
   private readonly stage: Stage;
-  private readonly triangles: WebGLVertexArrayObject;
+  private readonly triangles: Texture;
   private readonly depth: WebGLRenderbuffer;
   private readonly targets = new Map<string, Target>();
-  private readonly surface = program(SURFACE, MESH_VERTEX, MESH_ATTRIBUTES);
+  private readonly surface = program(SURFACE, MESH_VERTEX);
   private readonly rims = program(RIMS);
   private readonly rimsInRow = program(RIMS_IN_ROW);
   private readonly beside = program(BESIDE);
@@ -23,9 +23,10 @@ export class Surfaces {
     this.context = context;
     this.buffers = buffers;
     this.stage = stage;
-    this.triangles = uploaded(context.gl, mesh);
+    this.triangles = uploaded(context, mesh);
     this.depth = context.depth(stage.width, stage.height);
-    context.gl.depthFunc(context.gl.LEQUAL);
+    // The depth is an inverse one; of what is as near the first counts.
+    context.gl.depthFunc(context.gl.GREATER);
   }
 
   /** Write `surface` and `beside` at every `step`-th pixel; returns their size. */
@@ -34,13 +35,18 @@ export class Surfaces {
     const { gl } = context;
     const [width, height] = [stage.width, stage.height].map((side) => Math.ceil(side / step));
     const size = [width, height];
-    const { eye, right, below, corner } = lens;
-    const values = { clip: clipMatrix(lens, width, height, step), eye, ray: [...right, ...below, ...corner], step };
+    const { eye, near, right, below, corner } = lens;
+    const values = {
+      triangles: this.triangles,
+      lens: [lens.across, lens.down, lens.depth].flat(),
+      eye, near, size, step,
+      ray: [...right, ...below, ...corner],
+      middle: [stage.width / 2, stage.height / 2],
+    };
     context.use(this.surface, values, this.target("surface", width, height));
     gl.clearBufferuiv(gl.COLOR, 0, [SKY, 0, 0, 0]);
-    gl.clearBufferfv(gl.DEPTH, 0, [1]);
+    gl.clearBufferfv(gl.DEPTH, 0, [0]);
     gl.enable(gl.DEPTH_TEST);
-    gl.bindVertexArray(this.triangles);
     gl.drawArrays(gl.TRIANGLES, 0, 3 * (stage.mesh as Mesh).faces.length);
     gl.disable(gl.DEPTH_TEST);
     const { surface, rims, rimsInRow } = buffers;
@@ -63,24 +69,20 @@ export class Surfaces {
   }
 }
 
-function uploaded(gl: WebGL2RenderingContext, mesh: Mesh): WebGLVertexArrayObject {
-  const vertices = new Float32Array(24 * mesh.faces.length);
-  mesh.faces.forEach((face, t) => {
-    const plane = mesh.planes.subarray(4 * t, 4 * t + 4);
+function uploaded(context: Context, mesh: Mesh): Texture {
+  const count = mesh.faces.length;
+  const width = TEXELS * Math.min(count, 512);
+  const height = Math.ceil((TEXELS * count) / width);
+  const texels = new Float32Array(4 * width * height);
+  for (let t = 0; t < count; t++) {
+    const to = 4 * TEXELS * t;
     for (let k = 0; k < 3; k++) {
-      const to = 24 * t + 8 * k;
-      vertices.set(mesh.corners.subarray(9 * t + 3 * k, 9 * t + 3 * k + 3), to);
-      vertices[to + 3] = face;
-      vertices.set(plane, to + 4);
+      texels.set(mesh.corners.subarray(9 * t + 3 * k, 9 * t + 3 * k + 3), to + 4 * k);
+      texels[to + 4 * k + 3] = mesh.faces[t];
     }
-  });
-  const array = gl.createVertexArray();
-  gl.bindVertexArray(array);
-  gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
-  gl.bufferData(gl.ARRAY_BUFFER, vertices, gl.STATIC_DRAW);
-  for (const place of [0, 1]) {
-    gl.enableVertexAttribArray(place);
-    gl.vertexAttribPointer(place, 4, gl.FLOAT, false, 32, 16 * place);
+    texels.set(mesh.planes.subarray(4 * t, 4 * t + 4), to + 12);
   }
-  return array;
+  const texture = context.texture("RGBA32F", width, height);
+  context.set(texture, width, height, texels);
+  return texture;
 }

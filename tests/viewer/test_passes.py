@@ -1,0 +1,116 @@
+"""The page's passes against Numba's: those from a vote on bit for bit, fed with its own shifted NNFs."""
+
+import numpy as np
+import pytest
+from small_views import SIZE, small_views
+
+from stylit_ref.realtime.formulae.packed_nnf import entries_of, places_of
+from stylit_ref.views.interpolation import passes
+from stylit_ref.views.interpolation.mesh_geometry import MeshGeometry
+from stylit_ref.views.interpolation.painting import make_style, pixels_of, search_among, vote
+from stylit_ref.views.interpolation.view_interpolator import Stylized, ViewInterpolator
+
+ENGINES = "webgl", "script"
+PLACES = (0.0, 0.0), (0.75, -1.0), (-2.5, 2.5), (1.75, 0.5)
+BAND = 0.6
+
+
+@pytest.fixture(scope="module")
+def views():
+    return small_views()
+
+
+@pytest.fixture(scope="module")
+def painting(views):
+    return make_style(views.style, views.patch_width)
+
+
+@pytest.fixture(scope="module")
+def reference(views, painting):
+    nnfs = np.stack([entries_of(views.view(frame)) for frame in range(4)])
+    pictures = np.stack([pixels_of(vote(painting, nnf), 3) for nnf in nnfs])
+    geometry = MeshGeometry(views.mesh, views.orbit, SIZE)
+    stylized = Stylized(views.style, views.patch_width, nnfs, pictures)
+    return ViewInterpolator(views.grid, geometry, stylized, BAND)
+
+
+@pytest.fixture(scope="module", params=ENGINES)
+def engine(request):
+    return request.param
+
+
+@pytest.fixture
+def page(engine, open_page, page_file):
+    return open_page(page_file, f"?engine={engine}").started()
+
+
+def places_in_views(page, engine, place):
+    """Where each pixel lies in the views around, the closest first; packed, complements if hidden."""
+    if engine == "script":
+        (flat,) = page.draws(place, "nnf", "places")
+        flat = np.moveaxis(flat, 2, 0)
+        shown = np.where(flat < 0, ~flat, flat)
+        shown = shown.astype(int)
+        packed = (shown // SIZE[1]) << 16 | shown % SIZE[1]
+        return np.where(flat < 0, ~packed, packed)
+    first, second, hidden = page.draws(place, "nnf", "motion01", "motion23", "hidden")
+    offsets = np.concatenate([first, second], axis=2).astype(int)
+    found = []
+    for k in range(4):
+        there = np.mgrid[: SIZE[0], : SIZE[1]] + offsets[..., [2 * k + 1, 2 * k]].transpose(2, 0, 1)
+        y, x = (np.clip(each, 0, side - 1) for each, side in zip(there, SIZE, strict=True))
+        is_hidden = (hidden[..., 0] >> k & 1).astype(bool) | (y != there[0]) | (x != there[1])
+        found.append(np.where(is_hidden, ~(y << 16 | x), y << 16 | x))
+    return np.stack(found)
+
+
+@pytest.mark.parametrize("place", PLACES)
+def test_places_are_those_of_the_reference(page, engine, reference, place):
+    found = places_in_views(page, engine, place)
+    expected = reference.shift(place).places
+    assert np.mean((found != expected).any(axis=0)) <= 0.002
+
+
+@pytest.mark.parametrize("place", PLACES)
+def test_passes_give_the_same_bytes(page, engine, reference, painting, place):
+    shifted = reference.shift(place)
+    own = shifted._replace(places=places_in_views(page, engine, place).astype(np.int32))
+    candidates, nnf = reference.fetch(own)
+    first, voted, searched, picture = page.draws(
+        place, "limited", "shifted", "voted", "searched", "frame0"
+    )
+    assert np.array_equal(first, places_of(nnf))
+    once = vote(painting, nnf)
+    assert np.array_equal(voted[..., :3], pixels_of(once, 3))
+    better = search_among(painting, nnf, candidates, once)
+    assert np.array_equal(searched, places_of(better))
+    assert (better != nnf).any()
+    assert np.array_equal(picture[..., :3], pixels_of(vote(painting, better), 3))
+
+
+@pytest.mark.parametrize("place", [(0.25, -0.5), (2.4, 0.1)])
+def test_frames_fade_by_whole_weights(page, reference, place):
+    around = reference.grid.around(place, BAND)
+    weights = [weight for weight in around.fading if weight]
+    names = [f"frame{k}" for k in range(len(weights))]
+    *frames, mixed = page.draws(place, "fade", *names, "mixed")
+    expected = np.empty((*SIZE, 3), np.uint8)
+    pictures = np.stack([frame[..., :3] for frame in frames])
+    passes.mix(pictures, np.array(weights), expected)
+    assert len(weights) > 1
+    assert np.array_equal(mixed[..., :3], expected)
+
+
+@pytest.mark.parametrize("mode", ["linear", "image", "blend"])
+def test_pictures_are_mixed_as_in_the_reference(page, reference, mode):
+    place = (0.75, -1.0)
+    (picture,) = page.draws(place, mode, "mixed")
+    differ = (picture[..., :3] != reference.picture(place, mode)).any(axis=2)
+    assert differ.mean() <= (0 if mode == "linear" else 0.002)
+
+
+def test_motion_at_every_second_pixel_is_nearly_the_same(page, reference):
+    place = (0.75, -1.0)
+    (picture,) = page.draws(place, "image", "mixed", motion="half")
+    expected = reference.picture(place, "image")
+    assert (picture[..., :3] == expected).all(axis=2).mean() > 0.7
