@@ -1644,19 +1644,23 @@ void main() {
     }
     /** Where views are kept; null if some are still to come, which are asked for. */
     need(views) {
-      this.wanted = views;
-      for (const view of views) this.touch(view);
+      this.want(views);
       return views.every((view) => this.slots.has(view)) ? views.map((view) => this.slots.get(view)) : null;
     }
     /** When views are there, or a sentence says why not. */
     async arrived(views) {
+      this.want(views);
       await Promise.all(views.filter((view) => !this.slots.has(view)).map((view) => this.fetch(view)));
     }
-    touch(view) {
-      const slot = this.slots.get(view);
-      if (slot === void 0) return;
-      this.slots.delete(view);
-      this.slots.set(view, slot);
+    /** None of these gives way; and of the others those before them do. */
+    want(views) {
+      this.wanted = views;
+      for (const view of views) {
+        const slot = this.slots.get(view);
+        if (slot === void 0) continue;
+        this.slots.delete(view);
+        this.slots.set(view, slot);
+      }
     }
     fetch(view) {
       let coming = this.coming.get(view);
@@ -1734,6 +1738,8 @@ void main() {
     place;
     mode;
     motion;
+    /** Milliseconds from when the page was opened until it drew. */
+    firstDrawn = null;
     data;
     grid;
     store;
@@ -1801,6 +1807,7 @@ void main() {
       }
       this.told.waits(waits ? this.mode : null);
       this.engine.draw(moment);
+      this.firstDrawn ??= performance.now();
       clearTimeout(this.restTimer);
       if (this.isMoving) {
         this.pace.moved(now);

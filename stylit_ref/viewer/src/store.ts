@@ -34,21 +34,25 @@ export class Store {
 
   /** Where views are kept; null if some are still to come, which are asked for. */
   need(views: readonly number[]): number[] | null {
-    this.wanted = views;
-    for (const view of views) this.touch(view);
+    this.want(views);
     return views.every((view) => this.slots.has(view)) ? views.map((view) => this.slots.get(view) as number) : null;
   }
 
   /** When views are there, or a sentence says why not. */
   async arrived(views: readonly number[]): Promise<void> {
+    this.want(views);
     await Promise.all(views.filter((view) => !this.slots.has(view)).map((view) => this.fetch(view)));
   }
 
-  private touch(view: number): void {
-    const slot = this.slots.get(view);
-    if (slot === undefined) return;
-    this.slots.delete(view);
-    this.slots.set(view, slot);
+  /** None of these gives way; and of the others those before them do. */
+  private want(views: readonly number[]): void {
+    this.wanted = views;
+    for (const view of views) {
+      const slot = this.slots.get(view);
+      if (slot === undefined) continue;
+      this.slots.delete(view);
+      this.slots.set(view, slot);
+    }
   }
 
   private fetch(view: number): Promise<void> {

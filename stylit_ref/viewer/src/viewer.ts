@@ -24,6 +24,8 @@ export class Viewer {
   place: Place;
   mode: Mode;
   motion: Motion;
+  /** Milliseconds from when the page was opened until it drew. */
+  firstDrawn: number | null = null;
   private readonly data: PageData;
   private readonly grid: Grid;
   private readonly store: Store;
@@ -99,6 +101,7 @@ export class Viewer {
     }
     this.told.waits(waits ? this.mode : null);
     this.engine.draw(moment);
+    this.firstDrawn ??= performance.now();
     clearTimeout(this.restTimer);
     if (this.isMoving) {
       this.pace.moved(now);
