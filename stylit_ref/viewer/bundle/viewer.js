@@ -1394,6 +1394,7 @@ void main() {
     depth: false,
     powerPreference: "high-performance"
   };
+  var EMULATED = /swiftshader|llvmpipe|softpipe|basic render/i;
   var Engines = class {
     canvas;
     gl;
@@ -1402,9 +1403,9 @@ void main() {
       canvas.width = width;
       canvas.height = height;
       this.canvas = canvas;
-      const settings = { ...SETTINGS, failIfMajorPerformanceCaveat: asked !== "webgl" };
-      this.gl = asked === "script" ? null : canvas.getContext("webgl2", settings);
-      this.flat = this.gl || asked === "webgl" ? null : canvas.getContext("2d");
+      const chosen2 = asked ?? (hasProcessor() ? "webgl" : "script");
+      this.gl = chosen2 === "webgl" ? canvas.getContext("webgl2", SETTINGS) : null;
+      this.flat = this.gl ? null : canvas.getContext("2d");
       if (!this.gl && !this.flat)
         throw new PageError("This browser can draw neither with WebGL 2 nor on a canvas. Open the page in another one.");
     }
@@ -1420,6 +1421,14 @@ void main() {
       this.canvas.addEventListener("webglcontextrestored", restored);
     }
   };
+  function hasProcessor() {
+    const gl = document.createElement("canvas").getContext("webgl2", { failIfMajorPerformanceCaveat: true });
+    if (!gl) return false;
+    const names = gl.getExtension("WEBGL_debug_renderer_info");
+    const name = String(gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
+    gl.getExtension("WEBGL_lose_context")?.loseContext();
+    return !EMULATED.test(name);
+  }
   function readBitmap(bitmap) {
     const { width, height } = bitmap;
     const canvas = Object.assign(document.createElement("canvas"), { width, height });

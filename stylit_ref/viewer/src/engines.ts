@@ -13,10 +13,10 @@ const SETTINGS: WebGLContextAttributes = {
   powerPreference: "high-performance",
 };
 
-/**
- * WebGL 2 where a graphics processor runs it. One that is emulated is slower than JavaScript, and a browser
- * that is asked to say so gives none.
- */
+/** Names of programs that stand in for a graphics processor. */
+const EMULATED = /swiftshader|llvmpipe|softpipe|basic render/i;
+
+/** WebGL 2 where a graphics processor runs it, else JavaScript, which is faster than an emulated one. */
 export class Engines {
   private readonly canvas: HTMLCanvasElement;
   private readonly gl: WebGL2RenderingContext | null;
@@ -26,9 +26,9 @@ export class Engines {
     canvas.width = width;
     canvas.height = height;
     this.canvas = canvas;
-    const settings = { ...SETTINGS, failIfMajorPerformanceCaveat: asked !== "webgl" };
-    this.gl = asked === "script" ? null : (canvas.getContext("webgl2", settings) as WebGL2RenderingContext | null);
-    this.flat = this.gl || asked === "webgl" ? null : canvas.getContext("2d");
+    const chosen = asked ?? (hasProcessor() ? "webgl" : "script");
+    this.gl = chosen === "webgl" ? canvas.getContext("webgl2", SETTINGS) : null;
+    this.flat = this.gl ? null : canvas.getContext("2d");
     if (!this.gl && !this.flat)
       throw new PageError("This browser can draw neither with WebGL 2 nor on a canvas. Open the page in another one.");
   }
@@ -45,6 +45,15 @@ export class Engines {
     });
     this.canvas.addEventListener("webglcontextrestored", restored);
   }
+}
+
+function hasProcessor(): boolean {
+  const gl = document.createElement("canvas").getContext("webgl2", { failIfMajorPerformanceCaveat: true });
+  if (!gl) return false;
+  const names = gl.getExtension("WEBGL_debug_renderer_info");
+  const name = String(gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
+  gl.getExtension("WEBGL_lose_context")?.loseContext();
+  return !EMULATED.test(name);
 }
 
 /** Pixels of a bitmap by a canvas of its own; what it may have changed shows in the sum of the bytes. */
