@@ -52,6 +52,7 @@ def stylize_shot(
         Its message says how to go on.
     """
     start = perf_counter()
+    mesh = files.scene.read_mesh() if options.run else None
     done, advanced = 0, set()
     with ProgressLine(options.quiet) as line:
 
@@ -63,7 +64,6 @@ def stylize_shot(
         outputs = check_shot_outputs(options, files, shot, params, pictures, fields)
         if options.work:
             check_folder(options.work)
-        mesh = files.scene.read_mesh() if options.run else None
         if not coherence.weight:
             note(alone if options.weight is None else _UNUSED)
         channels = shot.style.shape[2], shot.shot.channels

@@ -1,6 +1,6 @@
 """A scene's surface as triangles, and which of them form one face."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,7 +32,9 @@ class Mesh(NamedTuple):
 
 
 def make_mesh(
-    vertices: NDArray[np.floating], faces: NDArray[np.integer], parts: NDArray[np.integer]
+    vertices: NDArray[np.floating[Any]],
+    faces: NDArray[np.integer[Any]],
+    parts: NDArray[np.integer[Any]] | None = None,
 ) -> Mesh:
     """A mesh whose triangles form faces: those of a part that meet smoothly.
 
@@ -42,7 +44,7 @@ def make_mesh(
     ----------
     vertices : (V, 3) float
     faces : (T, 3) int
-    parts : (T,) int
+    parts : (T,) int, optional
         The object, or the material, of each triangle.
 
     Returns
@@ -65,7 +67,8 @@ def make_mesh(
             f"holds a face with the vertex {faces.max()}, and there are {len(vertices)}; export "
             "the scene again"
         )
-    return Mesh(vertices, faces, _smooth_groups(vertices, faces, np.asarray(parts)))
+    parts = np.zeros(len(faces), np.int32) if parts is None else np.asarray(parts)
+    return Mesh(vertices, faces, _smooth_groups(vertices, faces, parts))
 
 
 def _smooth_groups(vertices, faces, parts):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from cli.calls import QUICK, refused
 
-from stylit_ref import Coherence, Motion, Params, read_image, stylize_views, write_image
+from stylit_ref import Coherence, Motion, Params, Run, read_image, stylize_views, write_image
 from stylit_ref.cli import main
 from stylit_ref.files.motion_flo import write_flo
 
@@ -122,6 +122,8 @@ def test_missing_files_are_all_named_at_once(grid, capsys):
         ({"motion": "flow.{view}.flo"}, "'flow.{view}.flo' lacks {other}"),
         ({"motion_convention": "blend"}, "'blend'; write auto or one of"),
         ({"cameras": {"4": {}}}, "cameras has '4', which is none of the views"),
+        ({"positions": "p.exr"}, "'p.exr' lacks {view}"),
+        ({"mesh": "a.obj", "positions": "{view}.exr"}, "mesh and positions tell the same; leave"),
     ],
 )
 def test_a_manifest_that_cannot_be_used(grid, capsys, change, said):
@@ -139,6 +141,47 @@ def test_what_is_no_manifest(grid, capsys):
     assert "no such file" in refused(capsys, main([*command, f"{folder}/none.json"]))
     (folder / "broken.json").write_text("{", encoding="utf-8")
     assert "is no JSON" in refused(capsys, main([*command, f"{folder}/broken.json"]))
+
+
+TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+
+
+def test_a_run_holds_the_mesh_that_the_manifest_names(grid):
+    folder, manifest = grid
+    (folder / "scene.obj").write_text(TRIANGLE)
+    assert views(folder, manifest | {"mesh": "scene.obj"}, "--run", folder / "run") == 0
+    run = Run(folder / "run")
+    assert run.mesh().vertices.tolist() == [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
+    assert run.mesh().faces.tolist() == [[0, 1, 2]]
+
+
+def test_a_run_holds_the_positions_that_the_manifest_names(grid):
+    folder, manifest = grid
+    points = np.random.default_rng(1).random((38, 44, 3), np.float32)
+    points[:, :5] = 0
+    ids = np.zeros((38, 44), np.uint8)
+    ids[:, 10:], ids[:, 20:] = 3, 7
+    for name in manifest["grid"][0]:
+        write_image(folder / f"at.{name}.exr", points)
+        write_image(folder / f"id.{name}.png", ids)
+    told = manifest | {"positions": "at.{view}.exr"}
+    assert views(folder, told, "--run", folder / "run") == 0
+    found = Run(folder / "run").positions(1)
+    np.testing.assert_array_equal(found.points, points)
+    np.testing.assert_array_equal(found.labels, np.where(np.arange(44) < 5, -1, 0) + 0 * ids)
+    assert views(folder, told | {"ids": "id.{view}.png"}, "--run", folder / "run") == 0
+    labels = Run(folder / "run").positions(0).labels[0]
+    assert labels[9] == -1
+    assert labels[10] != labels[20]
+
+
+def test_a_mesh_that_is_none_is_refused_before_anything_is_written(grid, capsys):
+    folder, manifest = grid
+    (folder / "scene.obj").write_text("v 0 0 0\n")
+    told = manifest | {"mesh": "scene.obj"}
+    message = refused(capsys, views(folder, told, "--run", folder / "run"))
+    assert f"{folder}/scene.obj: holds no faces; export the scene with its faces" in message
+    assert not (folder / "run").exists()
 
 
 def test_outputs_name_the_view(grid, capsys):

@@ -8,11 +8,13 @@ from numpy.typing import NDArray
 from stylit_ref.errors import InputError
 from stylit_ref.notes import note
 from stylit_ref.realtime.formulae.packed_nnf import LARGEST_SIDE, entries_of
+from stylit_ref.views.frames import grid_pairs
 from stylit_ref.views.interpolation.camera import read_camera
+from stylit_ref.views.interpolation.fields_geometry import FieldsGeometry
+from stylit_ref.views.interpolation.formulae.mean import WIDEST
 from stylit_ref.views.interpolation.formulae.transfer import transfer_of
 from stylit_ref.views.interpolation.mesh_geometry import MeshGeometry, look_at_mesh
-from stylit_ref.views.interpolation.orbit import Orbit, orbit_of
-from stylit_ref.views.interpolation.passes.vote import WIDEST
+from stylit_ref.views.interpolation.orbit import Orbit, grid_of_steps, orbit_of
 from stylit_ref.views.interpolation.positions_geometry import (
     PositionsGeometry,
     positions_of_mesh,
@@ -36,8 +38,8 @@ def views_of_run(run: Run | str | Path, *, band: float = BAND) -> ViewInterpolat
     Parameters
     ----------
     run : Run, str or Path
-        A RUN of a grid of views or of views in a row, or its folder. It holds a mesh or positions,
-        and the cameras.
+        A RUN of a grid of views or of views in a row, or its folder. It holds cameras, and a mesh
+        or positions; or motion between neighbours.
     band : float, optional
         How wide the fade is where the closest view changes, as a part of the way from view to view:
         0 switches, 1 always fades.
@@ -60,8 +62,31 @@ def views_of_run(run: Run | str | Path, *, band: float = BAND) -> ViewInterpolat
             f"{run.folder}: is a grid of {_counted(run.names)}, and nothing lies between views; "
             "do a run with more"
         )
+    knows_scene = "mesh" in run.facts or all("positions" in each for each in run.facts["frames"])
+    if not knows_scene:
+        geometry = _fields(run, rows, columns)
+        return ViewInterpolator(geometry.grid, geometry, _stylized(run), band)
     orbit = _orbit(run, rows, columns)
     return ViewInterpolator(orbit.grid, _geometry(run, orbit), _stylized(run), band)
+
+
+def _fields(run: Run, rows: int, columns: int) -> FieldsGeometry:
+    """The motion of the RUN itself, where it knows nothing of the scene."""
+    missing = [pair for pair in grid_pairs(rows, columns) if pair not in run.pairs]
+    if missing:
+        raise InputError(
+            f"{run.folder}: holds neither a mesh, nor positions of all views, nor the motion "
+            "between all neighbours; name one in the manifest of 'stylit-ref views', and do the "
+            "run again"
+        )
+    note(
+        f"{run.folder}: holds neither a mesh nor positions, so views between others move by the "
+        "motion of their neighbours; outlines suffer; name a mesh in the manifest"
+    )
+    edges = {pair: run.motion(*pair) for pair in grid_pairs(rows, columns)}
+    known = [bool(camera) for camera in run.cameras]
+    grid = _orbit(run, rows, columns).grid if all(known) else grid_of_steps(rows, columns)
+    return FieldsGeometry(edges, grid, run.size)
 
 
 def _orbit(run: Run, rows: int, columns: int) -> Orbit:
@@ -81,14 +106,8 @@ def _geometry(run: Run, orbit: Orbit) -> MeshGeometry | PositionsGeometry:
         if len(mesh.faces) <= MOST_TRIANGLES:
             return MeshGeometry(mesh, orbit, run.size)
         return _splatted(run, orbit, mesh)
-    found = [run.positions(frame) for frame in range(len(run.names))]
+    found = (run.positions(frame) for frame in range(len(run.names)))
     positions = [each for each in found if each is not None]
-    if len(positions) < len(found):
-        raise InputError(
-            f"{run.folder}: holds neither a mesh nor the positions of all views, and so no motion "
-            "of views between them; name one in the manifest of 'stylit-ref views', and do the "
-            "run again"
-        )
     for each, name in zip(positions, run.names, strict=True):
         if each.points.shape != (*run.size, 3) or each.labels.shape != run.size:
             raise InputError(

@@ -93,6 +93,7 @@ def orbit_of(cameras: Sequence[Camera], rows: int, columns: int) -> Orbit:
         across, frames = across[::-1], frames[:, ::-1]
     if len(upwards) > 1 and upwards[0] > upwards[1]:
         upwards, frames = upwards[::-1], frames[::-1]
+    across, upwards = across.round(_DECIMALS), upwards.round(_DECIMALS)
     numbers = tuple(map(tuple, frames.tolist()))
     if (np.diff(across) > _LEAST_TURN).all() and (np.diff(upwards) > _LEAST_TURN).all():
         azimuths = tuple(across.tolist())
@@ -103,6 +104,9 @@ def orbit_of(cameras: Sequence[Camera], rows: int, columns: int) -> Orbit:
         grid = grid_of_steps(rows, columns)
     return Orbit(grid, tuple(cameras))
 
+
+_DECIMALS = 9
+"""Of positions: cameras that were placed at whole degrees stand at whole degrees."""
 
 _LEAST_TURN = 1e-3
 """Cameras that are less than that apart, in degrees, do not turn."""

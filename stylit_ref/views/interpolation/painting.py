@@ -63,8 +63,10 @@ def vote(style: Style, nnf: NDArray[np.int32]) -> Image:
     border = style.patch_width // 2
     picture = make_image(*nnf.shape, border, STYLE_LANES)
     words = whole(picture, STYLE_LANES).view(np.uint32)[:, :, 0]
-    values = style.image.values.view(np.uint32)
-    passes.make_vote(style.patch_width)(nnf, values, style.image.stride, words, border)
+    values, stride = style.image.values.view(np.uint32), style.image.stride
+    corners = np.empty_like(nnf)
+    passes.find_corners(nnf, stride, border, corners)
+    passes.make_vote(style.patch_width)(corners, values, stride, words, border)
     return picture
 
 

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from stylit_ref.views.interpolation import passes
 from stylit_ref.views.motion.places import fetched
-from stylit_ref.views.motion.silhouettes import silhouettes_of_depths
+from stylit_ref.views.motion.silhouettes import places_beside
 
 SKY = -1
 """The label where nothing is."""
@@ -72,7 +72,7 @@ def surface_of(labels: NDArray[np.int32], inverse: NDArray[np.float64]) -> Surfa
     inverse : (H, W) float64
         1 / depth, 0 where nothing is.
     """
-    return Surface(labels, silhouettes_of_depths(inverse).places)
+    return Surface(labels, places_beside(inverse))
 
 
 def motion_by_depth(

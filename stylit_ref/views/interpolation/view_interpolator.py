@@ -27,7 +27,7 @@ into each other where the closest view changes."""
 
 MODES: tuple[Mode, ...] = get_args(Mode)
 
-BAND = 0.6
+BAND = 0.4
 """How wide the fade is, as a part of the way from view to view."""
 
 

@@ -63,20 +63,23 @@ def silhouettes_of(
         inverse = (labels != 0).astype(np.float64)
     else:
         return None
-    return silhouettes_of_depths(inverse)
+    places = places_beside(inverse)
+    own = np.stack(np.mgrid[: inverse.shape[0], : inverse.shape[1]], axis=-1)
+    return Silhouettes(places, (places != own).any(axis=2), fetched(inverse, places))
 
 
-def silhouettes_of_depths(inverse: NDArray[np.float64]) -> Silhouettes:
-    """Find the pixels of a frame beside something nearer, from inverse depths.
+def places_beside(inverse: NDArray[np.float64]) -> NDArray[np.int32]:
+    """Find the pixel that each pixel belongs to: its own, or that of something nearer beside it.
 
     Parameters
     ----------
     inverse : (H, W) float64
-        0 where nothing is.
+        1 / depth, 0 where nothing is.
 
     Returns
     -------
-    Silhouettes
+    (H, W, 2) int32
+        (y, x).
     """
     size = inverse.shape
     rims, places = np.empty(size, np.bool_), np.empty((*size, 2), np.int32)
@@ -84,8 +87,7 @@ def silhouettes_of_depths(inverse: NDArray[np.float64]) -> Silhouettes:
     reach = reach_of(*size)
     nearest = maximum_filter(np.where(rims, inverse, 0), 2 * reach + 1)
     passes.take_nearer(inverse, rims, is_nearer.py_func(nearest, inverse), reach, places)
-    own = np.stack(np.mgrid[: size[0], : size[1]], axis=-1)
-    return Silhouettes(places, (places != own).any(axis=2), fetched(inverse, places))
+    return places
 
 
 def along_silhouettes(motion: Motion, here: Silhouettes, there: Silhouettes) -> Motion:

@@ -71,6 +71,8 @@ def take_nearer(
                 continue
             closest, nearest = reach * reach + 1, np.inf
             for row in range(max(y - reach, 0), min(y + reach + 1, height)):
+                if (row - y) * (row - y) > closest:
+                    continue
                 for column in range(max(x - reach, 0), min(x + reach + 1, width)):
                     if rims[row, column]:
                         away = (row - y) * (row - y) + (column - x) * (column - x)

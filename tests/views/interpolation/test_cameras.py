@@ -82,8 +82,8 @@ def test_inverse_depth_is_linear_on_a_plane():
 
 def test_cameras_between_stay_on_the_sphere():
     orbit = orbit_of(house_grid(), 2, 3)
-    assert orbit.grid.columns.positions == pytest.approx((20, 25, 30))
-    assert orbit.grid.rows.positions == pytest.approx((8, 13))
+    assert orbit.grid.columns.positions == (20, 25, 30)
+    assert orbit.grid.rows.positions == (8, 13)
     between, expected = orbit.at((1.5, -2.0)), of_house(26.5, 8.5)
     np.testing.assert_allclose(between.origin, expected.origin)
     np.testing.assert_allclose(between.target, expected.target)

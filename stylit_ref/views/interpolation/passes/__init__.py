@@ -7,12 +7,13 @@ from stylit_ref.views.interpolation.passes.rasterize import rasterize
 from stylit_ref.views.interpolation.passes.shift import fetch, shift
 from stylit_ref.views.interpolation.passes.splat import fill_holes, splat_points
 from stylit_ref.views.interpolation.passes.transfer import transfer
-from stylit_ref.views.interpolation.passes.vote import make_vote
+from stylit_ref.views.interpolation.passes.vote import find_corners, make_vote
 
 __all__ = [
     "clip",
     "fetch",
     "fill_holes",
+    "find_corners",
     "make_limited_search",
     "make_vote",
     "mix",

@@ -41,8 +41,9 @@ def shift(
     for line in prange(height):
         y = np.int64(line)
         for k in range(count):
+            view = np.uint64(views[k])
             for x in range(width):
-                near_y, near_x = beside[y, x, 0], beside[y, x, 1]
+                near_y, near_x = np.uint64(beside[y, x, 0]), np.uint64(beside[y, x, 1])
                 dx = np.float64(motion[k, near_y, near_x, 0])
                 dy = np.float64(motion[k, near_y, near_x, 1])
                 # Whatever is farther away than the whole picture, or no number, is outside.
@@ -54,7 +55,11 @@ def shift(
                 inner_x = min(max(column, 0), width - 1)
                 is_inside = is_near and row == inner_y and column == inner_x
                 place = packed(inner_y, inner_x)
-                if is_inside and view_labels[views[k], inner_y, inner_x] == labels[near_y, near_x]:
+                if (
+                    is_inside
+                    and view_labels[view, np.uint64(inner_y), np.uint64(inner_x)]
+                    == labels[near_y, near_x]
+                ):
                     places[k, y, x] = place
                 else:
                     places[k, y, x] = ~place
