@@ -1,4 +1,4 @@
-"""A small grid of views of two boxes on a ground: cameras, mesh, style and fields, nothing stylized."""
+"""A small grid of views of two boxes on a ground, with fields that nobody has stylized."""
 
 import numpy as np
 

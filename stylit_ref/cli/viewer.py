@@ -5,16 +5,15 @@ import logging
 import sys
 from pathlib import Path
 
-import numpy as np
-
 from stylit_ref.cli.parser import Parser
+from stylit_ref.cli.viewer_manifest import opaque_image, views_of_manifest
 from stylit_ref.errors import InputError
 from stylit_ref.files.disk.paths import check_distinct, check_folder, check_writable
 from stylit_ref.files.disk.whole_file import write_text
-from stylit_ref.files.read_image import read_uint8
 from stylit_ref.notes import note
 from stylit_ref.viewer.contents import make_contents
-from stylit_ref.viewer.of_run import opaque_style, views_of_page
+from stylit_ref.viewer.grid_views import GridViews
+from stylit_ref.viewer.of_run import views_of_page
 from stylit_ref.viewer.write_page import folder_texts, page_text, write_folder
 from stylit_ref.views.interpolation.view_interpolator import BAND
 from stylit_ref.views.run_folder import Run
@@ -42,7 +41,11 @@ def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
         description=_DESCRIPTION,
     )
     parser.set_defaults(command=run, parser=parser)
-    parser.add_argument("run", metavar="RUN", help="what 'views --run' wrote")
+    parser.add_argument(
+        "run", metavar="RUN",
+        help="what 'views --run' wrote; or a manifest, FILE.json, that names pictures or NNFs of "
+        "any other program",
+    )  # fmt: skip
     to = parser.add_mutually_exclusive_group(required=True)
     to.add_argument("--output", "-o", metavar="FILE.html", help="write one file")
     to.add_argument(
@@ -76,13 +79,8 @@ def run(options: argparse.Namespace) -> None:
         check_writable(options.output)
     else:
         check_folder(options.folder)
-    finished = Run(options.run)
-    if options.output:
-        check_distinct([options.output], finished.files)
-    still = None
-    if options.still:
-        still = opaque_style(np.atleast_3d(read_uint8(options.still)), options.still)
-    views = views_of_page(finished)
+    views = _views(options.run, options.output)
+    still = opaque_image(options.still) if options.still else None
     contents = make_contents(views, title=options.title, band=options.band, still=still)
     if options.output:
         text = page_text(contents)
@@ -105,6 +103,16 @@ def run(options: argparse.Namespace) -> None:
         if "still" in weight:
             told += f"; the style for stills takes {_megabytes(weight['still'])} of it"
         print(told, file=sys.stderr)
+
+
+def _views(run: str, output: str | None) -> GridViews:
+    """The views of a RUN, or of a manifest."""
+    if Path(run).suffix.lower() == ".json":
+        return views_of_manifest(run)
+    finished = Run(run)
+    if output:
+        check_distinct([output], finished.files)
+    return views_of_page(finished)
 
 
 def _megabytes(size: int) -> str:

@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
 from stylit_ref.notes import note
-from stylit_ref.viewer.grid_views import GridViews
+from stylit_ref.viewer.grid_views import GridViews, opaque
 from stylit_ref.views.interpolation.camera import read_camera
 from stylit_ref.views.interpolation.of_run import views_of_run
 from stylit_ref.views.interpolation.orbit import grid_of_steps, orbit_of
@@ -30,7 +30,7 @@ def views_of_page(run: Run) -> GridViews:
         If the RUN is not whole, or of one view.
     """
     rows, columns = run.grid or (1, len(run.names))
-    style, width = opaque_style(run.style(), str(run.folder)), run.params.patch_width
+    style, width = opaque(run.style(), str(run.folder)), run.params.patch_width
     if run.params.vote_outliers:
         note(
             f"{run.folder}: its votes left {run.params.vote_outliers} outliers out, and those of "
@@ -57,33 +57,3 @@ def views_of_page(run: Run) -> GridViews:
     cameras = [read_camera(*each) for each in zip(run.cameras, run.names, strict=True)]
     orbit = orbit_of(cameras, rows, columns)
     return GridViews(orbit.grid, **shared, view=field, orbit=orbit, mesh=run.mesh())
-
-
-def opaque_style(style: NDArray[np.uint8], name: str) -> NDArray[np.uint8]:
-    """A style as red, green and blue; on white where it is transparent.
-
-    Parameters
-    ----------
-    style : (H, W, n) uint8
-        Grey or colours, perhaps with alpha.
-    name : str
-        Of what it belongs to, for messages.
-
-    Returns
-    -------
-    (H, W, 3) uint8
-
-    Raises
-    ------
-    InputError
-        If it has more than four channels.
-    """
-    channels = style.shape[2]
-    if channels > 4:
-        raise InputError(f"{name}: its style has {channels} channels; at most 4 can be shown")
-    colours = style if channels in (1, 3) else style[:, :, :-1]
-    if channels in (2, 4):
-        note(f"{name}: its style is transparent in places, and the page shows it on white")
-        alpha = style[:, :, -1:].astype(np.uint32)
-        colours = ((colours * alpha + 255 * (255 - alpha) + 127) // 255).astype(np.uint8)
-    return np.ascontiguousarray(np.broadcast_to(colours, (*style.shape[:2], 3)))

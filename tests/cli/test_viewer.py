@@ -2,6 +2,8 @@
 
 import json
 import re
+import shutil
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -111,3 +113,63 @@ def test_runs_that_cannot_be_shown_are_refused(tmp_path, capsys):
         capsys, main(["viewer", str(tmp_path / "other"), *page])
     )
     assert not (tmp_path / "page.html").exists()
+
+
+@pytest.fixture
+def manifest(run, tmp_path):
+    """Writes a manifest of the RUN's files, as another program would."""
+    names = [[f"{row}{column}" for column in range(3)] for row in range(2)]
+    frames = [name for row in names for name in row]
+    facts = Run(run).facts
+    for name, frame in zip(frames, facts["frames"], strict=True):
+        for kind in ("picture", "nnf"):
+            shutil.copy(run / frame[kind], tmp_path / (name + Path(frame[kind]).suffix))
+    shutil.copy(run / facts["style"], tmp_path / "style.png")
+    cameras = {name: frame["camera"] for name, frame in zip(frames, facts["frames"], strict=True)}
+
+    def written(**content):
+        file = tmp_path / "viewer.json"
+        file.write_text(json.dumps({"grid": names, "cameras": cameras} | content))
+        return str(file)
+
+    return written
+
+
+def test_nnfs_of_any_program_make_the_same_views(run, manifest, tmp_path):
+    theirs, ours = tmp_path / "theirs.html", tmp_path / "ours.html"
+    file = manifest(nnfs="{view}.npy", style="style.png", patch_width=5)
+    assert main(["viewer", file, "--output", str(theirs), "--quiet"]) == 0
+    assert main(["viewer", str(run), "--output", str(ours), "--quiet"]) == 0
+    assert table_of(theirs)["views"] == table_of(ours)["views"]
+
+
+def test_pictures_alone_make_a_page(manifest, tmp_path):
+    page = tmp_path / "page.html"
+    assert main(["viewer", manifest(pictures="{view}.png"), "--output", str(page), "--quiet"]) == 0
+    table = table_of(page)
+    assert table["style"] is None
+    assert all(view["picture"] and not view["nnf"] for view in table["views"])
+
+
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [
+        ({}, "needs nnfs or pictures"),
+        ({"nnfs": "{view}.npy"}, "needs style"),
+        ({"pictures": "{view}.png", "speed": 1}, "has 'speed'; known are grid, nnfs"),
+        ({"pictures": "{view}.png", "grid": [["00"]]}, "at least two in all"),
+        ({"pictures": "{view}.png", "cameras": {}}, "the camera of 00 lacks 'origin'"),
+        ({"nnfs": "{view}.npy", "style": "00.png", "patch_width": 4}, "patch_width is 4"),
+        ({"nnfs": "{view}.npy", "style": "small.png"}, "patches of width 5 lie within the style"),
+        ({"pictures": "{view}.png", "grid": [["00", "small"]]}, "all views must have one size"),
+    ],
+)
+def test_manifests_that_cannot_be_are_refused(manifest, tmp_path, capsys, content, said):
+    write_image(tmp_path / "small.png", np.zeros((9, 9, 3), np.uint8))
+    page = tmp_path / "page.html"
+    if "grid" in content:
+        content = content | {"cameras": {n: facts_of(camera_at(k, 9)) for k, n in
+                                         enumerate(("00", "small"))}}  # fmt: skip
+    code = main(["viewer", manifest(**content), "--output", str(page)])
+    assert said in refused(capsys, code)
+    assert not page.exists()

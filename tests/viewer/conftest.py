@@ -34,7 +34,7 @@ def chromium():
 
 @pytest.fixture
 def open_page(chromium):
-    """Opens pages from the disk; what a page complains about, or asks of a network, fails the test."""
+    """Opens pages from the disk; a page that complains, or asks a network, fails the test."""
     contexts, complaints = [], []
 
     def opened(file, query="", **settings):

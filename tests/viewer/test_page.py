@@ -8,7 +8,7 @@ import pytest
 from small_views import SIZE, small_views
 
 from stylit_ref.viewer.contents import make_contents
-from stylit_ref.viewer.write_page import folder_texts, page_text, write_folder
+from stylit_ref.viewer.write_page import folder_texts, write_folder
 
 AXE = Path(__file__).parents[2] / "stylit_ref/viewer/node_modules/axe-core/axe.min.js"
 NO_WEBGL = """HTMLCanvasElement.prototype.getContext = ((get) => function (kind, ...rest) {
@@ -103,7 +103,9 @@ def test_modes_and_motion_are_chosen_and_asked_for(open_page, page_file):
     assert page.place() == [-1.5, 2]
     page.page.locator("#mode").select_option("linear")
     assert page.page.evaluate("window.stylitViewer.viewer.mode") == "linear"
-    assert "1.50 degrees to the left and 2.00 degrees up" in page.page.locator("#view").text_content()
+    assert (
+        "1.50 degrees to the left and 2.00 degrees up" in page.page.locator("#view").text_content()
+    )
 
 
 def test_limited_search_waits_until_the_drawing_rests(open_page, page_file):
@@ -206,7 +208,9 @@ def test_axe_finds_nothing(open_page, page_file):
         pytest.skip("axe-core is not installed; run make viewer-bundle")
     page = open_page(page_file).rested()
     page.page.add_script_tag(path=AXE)
-    found = page.page.evaluate("async () => (await axe.run()).violations.map((v) => [v.id, v.help])")
+    found = page.page.evaluate(
+        "async () => (await axe.run()).violations.map((v) => [v.id, v.help])"
+    )
     assert found == []
 
 

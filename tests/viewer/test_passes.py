@@ -1,4 +1,4 @@
-"""The page's passes against Numba's: those from a vote on bit for bit, fed with its own shifted NNFs."""
+"""The page's passes against Numba's: from the vote on bit for bit, fed with its own shifted NNFs."""
 
 import numpy as np
 import pytest
@@ -45,7 +45,7 @@ def page(engine, open_page, page_file):
 
 
 def places_in_views(page, engine, place):
-    """Where each pixel lies in the views around, the closest first; packed, complements if hidden."""
+    """Where each pixel lies in the views around, as ``passes.shift`` tells it."""
     if engine == "script":
         (flat,) = page.draws(place, "nnf", "places")
         flat = np.moveaxis(flat, 2, 0)
