@@ -12,6 +12,7 @@ from stylit_ref.viewer.cameras import axis_facts, camera_facts
 from stylit_ref.viewer.fields import of_field
 from stylit_ref.viewer.grid_views import GridViews
 from stylit_ref.viewer.pieces import Piece, of_bytes, of_colours
+from stylit_ref.viewer.points import of_points
 from stylit_ref.views.formulae.silhouette import reach_of
 from stylit_ref.views.mesh import Mesh
 
@@ -88,8 +89,9 @@ def make_contents(
         piece = add(of_bytes("mesh", mesh_bytes(views.mesh)))
         facts["mesh"] = {"triangles": len(views.mesh.faces), "piece": piece}
     facts["views"] = [
-        {"camera": camera, "nnf": None, "picture": None} | {kind: add(piece)}
-        for camera, kind, piece in _views(views)
+        {"camera": camera, "nnf": None, "picture": None, "points": None}
+        | {kind: add(piece) for kind, piece in packed.items()}
+        for camera, packed in _views(views)
     ]
     if still is not None:
         scale = _scale(still, views)
@@ -103,16 +105,21 @@ def mesh_bytes(mesh: Mesh) -> bytes:
     return corners.tobytes() + mesh.groups.astype("<u4").tobytes()
 
 
-def _views(views: GridViews) -> Iterator[tuple[dict[str, Any] | None, str, Piece]]:
-    """Of every view, from below and from the left: its camera, the kind of its piece, and that."""
+def _views(views: GridViews) -> Iterator[tuple[dict[str, Any] | None, dict[str, Piece]]]:
+    """Of every view, from below and from the left: its camera, and its pieces by their kinds."""
     for row, frames in enumerate(views.grid.frames):
         for column, frame in enumerate(frames):
             camera = camera_facts(views.orbit, row, column) if views.orbit else None
             name, view = f"view-{row}-{column}", views.view(frame)
+            packed = {}
             if views.style is None:
-                yield camera, "picture", of_colours(name, view.astype(np.uint8))
+                packed["picture"] = of_colours(name, view.astype(np.uint8))
             else:
-                yield camera, "nnf", of_field(name, view.astype(np.int32), views.style.shape[:2])
+                packed["nnf"] = of_field(name, view.astype(np.int32), views.style.shape[:2])
+            if views.points and views.orbit:
+                matrix = views.orbit.cameras[frame].matrix(views.size)
+                packed["points"] = of_points(f"points-{row}-{column}", views.points(frame), matrix)
+            yield camera, packed
 
 
 def _scale(still, views):

@@ -11,6 +11,7 @@ from stylit_ref.notes import note
 from stylit_ref.views.interpolation.grid import Grid
 from stylit_ref.views.interpolation.orbit import Orbit
 from stylit_ref.views.mesh import Mesh
+from stylit_ref.views.positions import Positions
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,7 +32,10 @@ class GridViews:
     orbit : Orbit or None
         None where cameras are not known.
     mesh : Mesh or None
-        What the views show. Without it, or without cameras, views can only be blended.
+        What the views show.
+    points : callable, optional
+        In place of a mesh, by the number of a frame the positions of what it shows. Without either,
+        or without cameras, views can only be blended.
     """
 
     grid: Grid
@@ -41,6 +45,7 @@ class GridViews:
     view: Callable[[int], NDArray[np.int32] | NDArray[np.uint8]]
     orbit: Orbit | None = None
     mesh: Mesh | None = None
+    points: Callable[[int], Positions] | None = None
 
 
 def opaque(image: NDArray[np.uint8], name: str) -> NDArray[np.uint8]:

@@ -1,13 +1,21 @@
-"""The page's passes against Numba's: from the vote on bit for bit, fed with its own shifted NNFs."""
+"""The page's passes against Numba's: from the vote on bit for bit, fed with its shifted NNFs."""
+
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from small_views import SIZE, small_views
 
 from stylit_ref.realtime.formulae.packed_nnf import entries_of, places_of
+from stylit_ref.viewer.contents import make_contents
+from stylit_ref.viewer.write_page import page_text
 from stylit_ref.views.interpolation import passes
 from stylit_ref.views.interpolation.mesh_geometry import MeshGeometry
 from stylit_ref.views.interpolation.painting import make_style, pixels_of, search_among, vote
+from stylit_ref.views.interpolation.positions_geometry import (
+    PositionsGeometry,
+    positions_of_mesh,
+)
 from stylit_ref.views.interpolation.view_interpolator import Stylized, ViewInterpolator
 
 ENGINES = "webgl", "script"
@@ -107,6 +115,26 @@ def test_pictures_are_mixed_as_in_the_reference(page, reference, mode):
     (picture,) = page.draws(place, mode, "mixed")
     differ = (picture[..., :3] != reference.picture(place, mode)).any(axis=2)
     assert differ.mean() <= (0 if mode == "linear" else 0.002)
+
+
+def test_points_serve_in_place_of_a_mesh(engine, views, painting, open_page, tmp_path):
+    cameras = views.orbit.cameras
+    positions = [positions_of_mesh(views.mesh, camera, SIZE) for camera in cameras]
+    with_points = replace(views, mesh=None, points=positions.__getitem__)
+    file = tmp_path / "points.html"
+    contents = make_contents(with_points, title="Points", band=BAND)
+    file.write_text(page_text(contents), encoding="utf-8")
+    geometry = PositionsGeometry(
+        np.stack([each.points for each in positions]),
+        np.stack([each.labels for each in positions]),
+        views.orbit,
+    )
+    nnfs = np.stack([entries_of(views.view(frame)) for frame in range(4)])
+    stylized = Stylized(views.style, views.patch_width, nnfs, np.empty((4, 0, 0, 3), np.uint8))
+    expected = ViewInterpolator(views.grid, geometry, stylized, BAND).shift((0.75, -1.0)).places
+    page = open_page(file, f"?engine={engine}").started()
+    found = places_in_views(page, engine, (0.75, -1.0))
+    assert np.mean((found != expected).any(axis=0)) <= 0.002
 
 
 def test_motion_at_every_second_pixel_is_nearly_the_same(page, reference):

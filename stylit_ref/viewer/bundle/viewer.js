@@ -547,6 +547,57 @@
     return all;
   }
 
+  // src/script/splat.ts
+  var { floor } = Math;
+  function surfaceOf(points, width, height) {
+    const bits = new Float32Array(points.buffer);
+    const faces = new Uint16Array(width * height);
+    const inverse = new Float32Array(width * height);
+    for (let p = 0; p < faces.length; p++) {
+      faces[p] = points[2 * p];
+      inverse[p] = bits[2 * p + 1];
+    }
+    return { width, height, faces, inverse };
+  }
+  function splat(views, lens, viewWidth, viewHeight, step) {
+    const [width, height] = [viewWidth, viewHeight].map((side) => Math.ceil(side / step));
+    const faces = new Uint16Array(width * height).fill(SKY);
+    const inverse = new Float32Array(width * height);
+    for (const { points, lens: from } of views) {
+      const [across, down, depth] = transferOf(from, lens);
+      const bits = new Float32Array(points.buffer);
+      for (let y = 0, p = 0; y < viewHeight; y++)
+        for (let x = 0; x < viewWidth; x++, p++) {
+          const v = bits[2 * p + 1];
+          const z = depth[0] * x + depth[1] * y + depth[2] + depth[3] * v;
+          if (!(v > 0 && z > 0)) continue;
+          const column = floor((floor((across[0] * x + across[1] * y + across[2] + across[3] * v) / z + 0.5) + 0.5) / step);
+          const row = floor((floor((down[0] * x + down[1] * y + down[2] + down[3] * v) / z + 0.5) + 0.5) / step);
+          if (column < 0 || column >= width || row < 0 || row >= height) continue;
+          const to = row * width + column;
+          const near = Math.fround(v / z);
+          if (near <= inverse[to]) continue;
+          inverse[to] = near;
+          faces[to] = points[2 * p];
+        }
+    }
+    return filled({ width, height, faces, inverse });
+  }
+  function filled({ width, height, faces, inverse }) {
+    const all = { width, height, faces: faces.slice(), inverse: inverse.slice() };
+    for (let y = 0, p = 0; y < height; y++)
+      for (let x = 0; x < width; x++, p++) {
+        if (faces[p] !== SKY) continue;
+        for (const [isInside, d] of [[x > 0 && x < width - 1, 1], [y > 0 && y < height - 1, width]]) {
+          if (!isInside || faces[p - d] === SKY || faces[p + d] === SKY) continue;
+          const from = inverse[p + d] < inverse[p - d] ? p + d : p - d;
+          all.faces[p] = faces[from];
+          all.inverse[p] = inverse[from];
+        }
+      }
+    return all;
+  }
+
   // src/script/vote.ts
   function vote(field, stage, colours) {
     const { width, height, patchRadius: radius } = stage;
@@ -594,7 +645,7 @@
       this.voted = new Uint8Array(4 * width * height);
     }
     keep(slot, view) {
-      this.kept[slot] = { ...view, labels: view.lens && this.stage.mesh && this.labelsOf(view.lens, this.stage.mesh) };
+      this.kept[slot] = { ...view, labels: this.labelsOf(view) };
     }
     draw(moment) {
       this.shown.data.set(this.picture(moment));
@@ -649,17 +700,19 @@
     }
     places({ lens, around, step }) {
       const { width, height, mesh, reach } = this.stage;
-      if (!lens || !mesh) throw new Error("this mode needs the model");
-      const surface = raster(mesh, lens, width, height, step);
+      if (!lens) throw new Error("this mode needs the model");
+      const views = around.map((view) => ({ points: this.kept[view.slot].points, lens: view.lens }));
+      const surface = mesh ? raster(mesh, lens, width, height, step) : splat(views, lens, width, height, step);
       const near = beside(surface, Math.max(1, Math.round(reach / step)));
       return around.map((view) => {
         const labels = this.kept[view.slot].labels;
         return placesIn(labels, lens, view.lens, surface, near, step, width, height);
       });
     }
-    labelsOf(lens, mesh) {
-      const { width, height, reach } = this.stage;
-      const surface = raster(mesh, lens, width, height, 1);
+    labelsOf({ lens, points }) {
+      const { width, height, reach, mesh } = this.stage;
+      if (!lens || !mesh && !points) return null;
+      const surface = mesh ? raster(mesh, lens, width, height, 1) : surfaceOf(points, width, height);
       return Uint16Array.from(beside(surface, reach), (q) => surface.faces[q]);
     }
     /** The picture of a view, which its field gives; made when a mode first needs it. */
@@ -671,37 +724,6 @@
       return view.rgba;
     }
   };
-
-  // src/webgl/buffers.ts
-  function makeBuffers(context, stage) {
-    const { width, height, style, mesh } = stage;
-    const kept = (format, isNeeded) => isNeeded ? context.texture(format, width, height, SLOTS) : context.texture(format, 1, 1, 1);
-    const work = (format) => context.texture(format, width, height);
-    const field = () => context.texture("RG16UI", width, height, 1);
-    const buffers = {
-      fields: kept("RG16UI", style !== null),
-      pictures: kept("RGBA8UI", true),
-      labels: kept("R16UI", mesh !== null),
-      style: context.texture("RGBA8UI", style?.width ?? 1, style?.height ?? 1),
-      surface: work("RG32UI"),
-      rims: work("R8UI"),
-      rimsInRow: work("R8UI"),
-      beside: work("RG16UI"),
-      motion01: work("RGBA16I"),
-      motion23: work("RGBA16I"),
-      hidden: work("R8UI"),
-      shifted: field(),
-      voted: work("RGBA8UI"),
-      searched: field(),
-      frame0: work("RGBA8UI"),
-      frame1: work("RGBA8UI"),
-      frame2: work("RGBA8UI"),
-      frame3: work("RGBA8UI"),
-      mixed: work("RGBA8UI")
-    };
-    if (style) context.set(buffers.style, style.width, style.height, style.rgba);
-    return buffers;
-  }
 
   // src/webgl/context.ts
   var HEAD = `#version 300 es
@@ -792,6 +814,15 @@ void main() {
       this.use(program2, values, target);
       this.gl.drawArrays(this.gl.TRIANGLES, 0, 3);
     }
+    /** Draw with the program in use what is nearest, by inverse depths; of what is as near the first. */
+    drawNearest(mode, vertices) {
+      const { gl } = this;
+      gl.clearBufferfv(gl.DEPTH, 0, [0]);
+      gl.enable(gl.DEPTH_TEST);
+      gl.depthFunc(gl.GREATER);
+      gl.drawArrays(mode, 0, vertices);
+      gl.disable(gl.DEPTH_TEST);
+    }
     /** The pixels of a texture. */
     read(from, width, height) {
       const { gl } = this;
@@ -850,6 +881,141 @@ void main() {
     RGBA16I: { channels: 4, numbers: Int16Array, format: "RGBA_INTEGER", type: "SHORT" },
     RGBA32F: { channels: 4, numbers: Float32Array, format: "RGBA", type: "FLOAT" }
   };
+
+  // src/webgl/silhouettes.ts
+  var DEPTH = `
+uniform usampler2D surface;
+uniform ivec2 size;
+float inverseAt(ivec2 p) { return uintBitsToFloat(texelFetch(surface, p, 0).y); }
+bool isInside(ivec2 p) { return p == clamp(p, ivec2(0), size - 1); }
+bool isNearer(float inverse, float other) { return inverse > 1.05 * other; }
+`;
+  var RIMS = `
+${DEPTH}
+layout(location = 0) out uint rim;
+void main() {
+  ivec2 p = ivec2(gl_FragCoord.xy);
+  float near = inverseAt(p);
+  rim = 0u;
+  for (int turn = 0; turn < 4; turn++) {
+    ivec2 d = turn % 2 == 0 ? ivec2(0, turn - 1) : ivec2(turn - 2, 0);
+    ivec2 q = p + d;
+    if (!isInside(q)) continue;
+    float far = inverseAt(q);
+    // Outside of the picture the plane goes on.
+    float before = isInside(p - d) ? inverseAt(p - d) : 2. * near - far;
+    float behind = isInside(q + d) ? inverseAt(q + d) : 2. * far - near;
+    float slope = min(abs(before - near), abs(far - behind));
+    if (isNearer(near, far) && near - far > 2. * slope) rim = 1u;
+  }
+}`;
+  var RIMS_IN_ROW = `
+uniform usampler2D rims;
+uniform ivec2 size;
+uniform int reach;
+layout(location = 0) out uint rim;
+void main() {
+  ivec2 p = ivec2(gl_FragCoord.xy);
+  rim = 0u;
+  for (int x = max(p.x - reach, 0); x <= min(p.x + reach, size.x - 1); x++)
+    rim |= texelFetch(rims, ivec2(x, p.y), 0).x;
+}`;
+  var BESIDE = `
+${DEPTH}
+uniform usampler2D rims, rimsInRow;
+uniform int reach;
+layout(location = 0) out uvec2 beside;
+void main() {
+  ivec2 p = ivec2(gl_FragCoord.xy), found = p;
+  float own = inverseAt(p), nearest = 1e30;
+  int closest = reach * reach + 1;
+  for (int y = max(p.y - reach, 0); y <= min(p.y + reach, size.y - 1); y++) {
+    if (texelFetch(rimsInRow, ivec2(p.x, y), 0).x == 0u) continue;
+    for (int x = max(p.x - reach, 0); x <= min(p.x + reach, size.x - 1); x++) {
+      ivec2 q = ivec2(x, y), d = q - p;
+      int away = d.x * d.x + d.y * d.y;
+      if (away > closest || texelFetch(rims, q, 0).x == 0u) continue;
+      float there = inverseAt(q);
+      if ((away < closest || there > nearest) && isNearer(there, own)) {
+        closest = away;
+        nearest = there;
+        found = q;
+      }
+    }
+  }
+  if (closest <= reach * reach) {
+    ivec2 past = found + sign(found - p);
+    if (isInside(past) && !isNearer(nearest, inverseAt(past))) found = past;
+  }
+  beside = uvec2(found);
+}`;
+  var LABELS = `
+uniform usampler2D surface, beside;
+layout(location = 0) out uint label;
+void main() {
+  ivec2 p = ivec2(gl_FragCoord.xy);
+  label = texelFetch(surface, ivec2(texelFetch(beside, p, 0).xy), 0).x;
+}`;
+
+  // src/webgl/beside.ts
+  var Beside = class {
+    context;
+    buffers;
+    stage;
+    targets;
+    rims = program(RIMS);
+    rimsInRow = program(RIMS_IN_ROW);
+    beside = program(BESIDE);
+    constructor(context, buffers, stage) {
+      this.context = context;
+      this.buffers = buffers;
+      this.stage = stage;
+      const target = (name) => context.target([buffers[name]], stage.width, stage.height);
+      this.targets = { rims: target("rims"), rimsInRow: target("rimsInRow"), beside: target("beside") };
+    }
+    find(step) {
+      const { surface, rims, rimsInRow } = this.buffers;
+      const size = [this.stage.width, this.stage.height].map((side) => Math.ceil(side / step));
+      const reach = Math.max(1, Math.round(this.stage.reach / step));
+      const into = (target) => ({ ...target, width: size[0], height: size[1] });
+      this.context.fill(this.rims, { surface, size }, into(this.targets.rims));
+      this.context.fill(this.rimsInRow, { rims, size, reach }, into(this.targets.rimsInRow));
+      this.context.fill(this.beside, { surface, rims, rimsInRow, size, reach }, into(this.targets.beside));
+    }
+  };
+
+  // src/webgl/buffers.ts
+  function makeBuffers(context, stage) {
+    const { width, height, style, mesh, hasPoints: hasPoints2 } = stage;
+    const kept = (format, isNeeded) => isNeeded ? context.texture(format, width, height, SLOTS) : context.texture(format, 1, 1, 1);
+    const work = (format) => context.texture(format, width, height);
+    const field = () => context.texture("RG16UI", width, height, 1);
+    const buffers = {
+      fields: kept("RG16UI", style !== null),
+      pictures: kept("RGBA8UI", true),
+      points: kept("RG32UI", hasPoints2),
+      labels: kept("R16UI", mesh !== null || hasPoints2),
+      style: context.texture("RGBA8UI", style?.width ?? 1, style?.height ?? 1),
+      sparse: work("RG32UI"),
+      surface: work("RG32UI"),
+      rims: work("R8UI"),
+      rimsInRow: work("R8UI"),
+      beside: work("RG16UI"),
+      motion01: work("RGBA16I"),
+      motion23: work("RGBA16I"),
+      hidden: work("R8UI"),
+      shifted: field(),
+      voted: work("RGBA8UI"),
+      searched: field(),
+      frame0: work("RGBA8UI"),
+      frame1: work("RGBA8UI"),
+      frame2: work("RGBA8UI"),
+      frame3: work("RGBA8UI"),
+      mixed: work("RGBA8UI")
+    };
+    if (style) context.set(buffers.style, style.width, style.height, style.rgba);
+    return buffers;
+  }
 
   // src/webgl/finish.ts
   var MIX_FRAMES = `
@@ -931,158 +1097,6 @@ void main() {
   }
 }`;
 
-  // src/webgl/motion.ts
-  var MOTION = `
-uniform usampler2D surface, beside;
-uniform usampler2DArray labels;
-uniform vec4 transfers[12];
-uniform ivec4 slots;
-uniform ivec2 size;
-uniform int count, step, bits;
-layout(location = 0) out ivec4 motion01;
-layout(location = 1) out ivec4 motion23;
-layout(location = 2) out uint hidden;
-void main() {
-  ivec2 p = ivec2(gl_FragCoord.xy), near = ivec2(texelFetch(beside, p, 0).xy);
-  uvec2 seen = texelFetch(surface, near, 0).xy;
-  float v = uintBitsToFloat(seen.y);
-  // Of what lies beside it a pixel takes the motion, not the place.
-  vec2 at = (vec2(near) + .5) * float(step) - .5, own = (vec2(p) + .5) * float(step) - .5;
-  ivec2 offsets[4];
-  hidden = 0u;
-  for (int k = 0; k < 4; k++) {
-    offsets[k] = ivec2(0);
-    if (k >= count) continue;
-    vec2 motion = vec2(0.);
-    if (v > 0.) {
-      vec4 pixel = vec4(at, 1., v);
-      float depth = dot(transfers[3 * k + 2], pixel);
-      motion = vec2(dot(transfers[3 * k], pixel), dot(transfers[3 * k + 1], pixel)) / depth - at;
-      if (!(depth > 0.) || any(greaterThan(abs(motion), vec2(size)))) { hidden |= 1u << k; continue; }
-    }
-    ivec2 q = ivec2(floor(own + motion + .5));
-    bool shown = q == clamp(q, ivec2(0), size - 1) && texelFetch(labels, ivec3(q, slots[k]), 0).x == seen.x;
-    if (!shown) hidden |= 1u << k;
-    offsets[k] = ivec2(clamp(floor(motion * float(1 << bits) + .5), -32767., 32767.));
-  }
-  motion01 = ivec4(offsets[0], offsets[1]);
-  motion23 = ivec4(offsets[2], offsets[3]);
-}`;
-
-  // src/webgl/shift.ts
-  var SHIFT = `
-${PLACES}
-uniform usampler2DArray fields;
-layout(location = 0) out uvec2 patchAt;
-void main() { patchAt = texelFetch(fields, chosen(ivec2(gl_FragCoord.xy)), 0).xy; }`;
-  var MIX_SHIFTED = `
-${PLACES}
-uniform usampler2DArray pictures;
-uniform ivec4 weights;
-layout(location = 0) out uvec4 colour;
-void main() {
-  ivec2 p = ivec2(gl_FragCoord.xy);
-  uvec3 sum = uvec3(0u);
-  uint whole = 0u;
-  for (int k = 0; k < count; k++) {
-    ivec3 place;
-    uint weight = uint(weights[k]);
-    if (weight == 0u || !shows(k, p, place)) continue;
-    sum += weight * texelFetch(pictures, place, 0).xyz;
-    whole += weight;
-  }
-  colour = whole == 0u ? texelFetch(pictures, chosen(p), 0) : uvec4((2u * sum + whole) / (2u * whole), 255u);
-}`;
-  var MIX_VIEWS = `
-uniform usampler2DArray pictures;
-uniform ivec4 slots, weights;
-uniform int count;
-layout(location = 0) out uvec4 colour;
-void main() {
-  uvec3 sum = uvec3(0u);
-  uint whole = 0u;
-  for (int k = 0; k < count; k++) {
-    sum += uint(weights[k]) * texelFetch(pictures, ivec3(gl_FragCoord.xy, slots[k]), 0).xyz;
-    whole += uint(weights[k]);
-  }
-  colour = uvec4((2u * sum + whole) / (2u * whole), 255u);
-}`;
-
-  // src/webgl/silhouettes.ts
-  var DEPTH = `
-uniform usampler2D surface;
-uniform ivec2 size;
-float inverseAt(ivec2 p) { return uintBitsToFloat(texelFetch(surface, p, 0).y); }
-bool isInside(ivec2 p) { return p == clamp(p, ivec2(0), size - 1); }
-bool isNearer(float inverse, float other) { return inverse > 1.05 * other; }
-`;
-  var RIMS = `
-${DEPTH}
-layout(location = 0) out uint rim;
-void main() {
-  ivec2 p = ivec2(gl_FragCoord.xy);
-  float near = inverseAt(p);
-  rim = 0u;
-  for (int turn = 0; turn < 4; turn++) {
-    ivec2 d = turn % 2 == 0 ? ivec2(0, turn - 1) : ivec2(turn - 2, 0);
-    ivec2 q = p + d;
-    if (!isInside(q)) continue;
-    float far = inverseAt(q);
-    // Outside of the picture the plane goes on.
-    float before = isInside(p - d) ? inverseAt(p - d) : 2. * near - far;
-    float behind = isInside(q + d) ? inverseAt(q + d) : 2. * far - near;
-    float slope = min(abs(before - near), abs(far - behind));
-    if (isNearer(near, far) && near - far > 2. * slope) rim = 1u;
-  }
-}`;
-  var RIMS_IN_ROW = `
-uniform usampler2D rims;
-uniform ivec2 size;
-uniform int reach;
-layout(location = 0) out uint rim;
-void main() {
-  ivec2 p = ivec2(gl_FragCoord.xy);
-  rim = 0u;
-  for (int x = max(p.x - reach, 0); x <= min(p.x + reach, size.x - 1); x++)
-    rim |= texelFetch(rims, ivec2(x, p.y), 0).x;
-}`;
-  var BESIDE = `
-${DEPTH}
-uniform usampler2D rims, rimsInRow;
-uniform int reach;
-layout(location = 0) out uvec2 beside;
-void main() {
-  ivec2 p = ivec2(gl_FragCoord.xy), found = p;
-  float own = inverseAt(p), nearest = 1e30;
-  int closest = reach * reach + 1;
-  for (int y = max(p.y - reach, 0); y <= min(p.y + reach, size.y - 1); y++) {
-    if (texelFetch(rimsInRow, ivec2(p.x, y), 0).x == 0u) continue;
-    for (int x = max(p.x - reach, 0); x <= min(p.x + reach, size.x - 1); x++) {
-      ivec2 q = ivec2(x, y), d = q - p;
-      int away = d.x * d.x + d.y * d.y;
-      if (away > closest || texelFetch(rims, q, 0).x == 0u) continue;
-      float there = inverseAt(q);
-      if ((away < closest || there > nearest) && isNearer(there, own)) {
-        closest = away;
-        nearest = there;
-        found = q;
-      }
-    }
-  }
-  if (closest <= reach * reach) {
-    ivec2 past = found + sign(found - p);
-    if (isInside(past) && !isNearer(nearest, inverseAt(past))) found = past;
-  }
-  beside = uvec2(found);
-}`;
-  var LABELS = `
-uniform usampler2D surface, beside;
-layout(location = 0) out uint label;
-void main() {
-  ivec2 p = ivec2(gl_FragCoord.xy);
-  label = texelFetch(surface, ivec2(texelFetch(beside, p, 0).xy), 0).x;
-}`;
-
   // src/webgl/mesh_shader.ts
   var TEXELS = 4;
   var MESH_VERTEX = `
@@ -1139,65 +1153,46 @@ void main() {
   gl_FragDepth = inverse * near;
 }`;
 
-  // src/webgl/surfaces.ts
-  var Surfaces = class {
+  // src/webgl/mesh_surface.ts
+  var MeshSurface = class {
     context;
-    buffers;
     stage;
+    count;
     triangles;
-    depth;
-    targets = /* @__PURE__ */ new Map();
+    target;
     surface = program(SURFACE, MESH_VERTEX);
-    rims = program(RIMS);
-    rimsInRow = program(RIMS_IN_ROW);
-    beside = program(BESIDE);
     constructor(context, buffers, stage, mesh) {
       this.context = context;
-      this.buffers = buffers;
       this.stage = stage;
+      this.count = mesh.faces.length;
       this.triangles = uploaded(context, mesh);
-      this.depth = context.depth(stage.width, stage.height);
-      context.gl.depthFunc(context.gl.GREATER);
+      const { width, height } = stage;
+      this.target = context.target([buffers.surface], width, height, { depth: context.depth(width, height) });
     }
-    /** Write `surface` and `beside` at every `step`-th pixel; returns their size. */
+    seeView(_slot, lens) {
+      this.see(lens, 1);
+    }
+    seePlace(moment) {
+      this.see(moment.lens, moment.step);
+    }
     see(lens, step) {
-      const { context, buffers, stage } = this;
+      const { context } = this;
       const { gl } = context;
-      const [width, height] = [stage.width, stage.height].map((side) => Math.ceil(side / step));
-      const size = [width, height];
+      const [width, height] = [this.stage.width, this.stage.height].map((side) => Math.ceil(side / step));
       const { eye, near, right, below, corner } = lens;
       const values = {
         triangles: this.triangles,
         lens: [lens.across, lens.down, lens.depth].flat(),
         eye,
         near,
-        size,
         step,
+        size: [width, height],
         ray: [...right, ...below, ...corner],
-        middle: [stage.width / 2, stage.height / 2]
+        middle: [this.stage.width / 2, this.stage.height / 2]
       };
-      context.use(this.surface, values, this.target("surface", width, height));
+      context.use(this.surface, values, { ...this.target, width, height });
       gl.clearBufferuiv(gl.COLOR, 0, [SKY, 0, 0, 0]);
-      gl.clearBufferfv(gl.DEPTH, 0, [0]);
-      gl.enable(gl.DEPTH_TEST);
-      gl.drawArrays(gl.TRIANGLES, 0, 3 * stage.mesh.faces.length);
-      gl.disable(gl.DEPTH_TEST);
-      const { surface, rims, rimsInRow } = buffers;
-      const reach = Math.max(1, Math.round(stage.reach / step));
-      context.fill(this.rims, { surface, size }, this.target("rims", width, height));
-      context.fill(this.rimsInRow, { rims, size, reach }, this.target("rimsInRow", width, height));
-      context.fill(this.beside, { surface, rims, rimsInRow, size, reach }, this.target("beside", width, height));
-      return [width, height];
-    }
-    target(name, width, height) {
-      const key = `${name} ${width}`;
-      let target = this.targets.get(key);
-      if (!target) {
-        const options = name === "surface" ? { depth: this.depth } : {};
-        target = this.context.target([this.buffers[name]], width, height, options);
-        this.targets.set(key, target);
-      }
-      return target;
+      context.drawNearest(gl.TRIANGLES, 3 * this.count);
     }
   };
   function uploaded(context, mesh) {
@@ -1217,6 +1212,180 @@ void main() {
     context.set(texture, width, height, texels);
     return texture;
   }
+
+  // src/webgl/motion.ts
+  var MOTION = `
+uniform usampler2D surface, beside;
+uniform usampler2DArray labels;
+uniform vec4 transfers[12];
+uniform ivec4 slots;
+uniform ivec2 size;
+uniform int count, step, bits;
+layout(location = 0) out ivec4 motion01;
+layout(location = 1) out ivec4 motion23;
+layout(location = 2) out uint hidden;
+void main() {
+  ivec2 p = ivec2(gl_FragCoord.xy), near = ivec2(texelFetch(beside, p, 0).xy);
+  uvec2 seen = texelFetch(surface, near, 0).xy;
+  float v = uintBitsToFloat(seen.y);
+  // Of what lies beside it a pixel takes the motion, not the place.
+  vec2 at = (vec2(near) + .5) * float(step) - .5, own = (vec2(p) + .5) * float(step) - .5;
+  ivec2 offsets[4];
+  hidden = 0u;
+  for (int k = 0; k < 4; k++) {
+    offsets[k] = ivec2(0);
+    if (k >= count) continue;
+    vec2 motion = vec2(0.);
+    if (v > 0.) {
+      vec4 pixel = vec4(at, 1., v);
+      float depth = dot(transfers[3 * k + 2], pixel);
+      motion = vec2(dot(transfers[3 * k], pixel), dot(transfers[3 * k + 1], pixel)) / depth - at;
+      if (!(depth > 0.) || any(greaterThan(abs(motion), vec2(size)))) { hidden |= 1u << k; continue; }
+    }
+    ivec2 q = ivec2(floor(own + motion + .5));
+    bool shown = q == clamp(q, ivec2(0), size - 1) && texelFetch(labels, ivec3(q, slots[k]), 0).x == seen.x;
+    if (!shown) hidden |= 1u << k;
+    offsets[k] = ivec2(clamp(floor(motion * float(1 << bits) + .5), -32767., 32767.));
+  }
+  motion01 = ivec4(offsets[0], offsets[1]);
+  motion23 = ivec4(offsets[2], offsets[3]);
+}`;
+
+  // src/webgl/point_surface.ts
+  var SPLAT_VERTEX = `
+uniform usampler2DArray points;
+uniform vec4 transfers[12];
+uniform ivec4 slots;
+uniform ivec2 viewSize, size;
+uniform int step;
+flat out uint label;
+flat out float inverse;
+void main() {
+  int pixels = viewSize.x * viewSize.y, k = gl_VertexID / pixels, n = gl_VertexID % pixels;
+  ivec2 from = ivec2(n % viewSize.x, n / viewSize.x);
+  uvec2 seen = texelFetch(points, ivec3(from, slots[k]), 0).xy;
+  float v = uintBitsToFloat(seen.y);
+  vec4 pixel = vec4(from, 1., v);
+  float depth = dot(transfers[3 * k + 2], pixel);
+  vec2 at = vec2(dot(transfers[3 * k], pixel), dot(transfers[3 * k + 1], pixel)) / depth;
+  label = seen.x;
+  inverse = v / depth;
+  gl_PointSize = 1.;
+  vec2 landed = floor((floor(at + .5) + .5) / float(step)) + .5;
+  gl_Position = v > 0. && depth > 0. ? vec4(2. * landed / vec2(size) - 1., 0., 1.) : vec4(2., 2., 0., 1.);
+}`;
+  var SPLAT = `
+flat in uint label;
+flat in float inverse;
+uniform float near;
+layout(location = 0) out uvec2 surface;
+void main() {
+  surface = uvec2(label, floatBitsToUint(inverse));
+  gl_FragDepth = inverse * near;
+}`;
+  var FILL_HOLES = `
+uniform usampler2D sparse;
+uniform ivec2 size;
+layout(location = 0) out uvec2 surface;
+void main() {
+  ivec2 p = ivec2(gl_FragCoord.xy);
+  surface = texelFetch(sparse, p, 0).xy;
+  if (surface.x != ${SKY}u) return;
+  for (int k = 0; k < 2; k++) {
+    ivec2 d = ivec2(1 - k, k);
+    if (p - d != clamp(p - d, ivec2(0), size - 1) || p + d != clamp(p + d, ivec2(0), size - 1)) continue;
+    uvec2 one = texelFetch(sparse, p - d, 0).xy, other = texelFetch(sparse, p + d, 0).xy;
+    if (one.x == ${SKY}u || other.x == ${SKY}u) continue;
+    surface = uintBitsToFloat(other.y) < uintBitsToFloat(one.y) ? other : one;
+  }
+}`;
+  var COPY = `
+uniform usampler2DArray points;
+uniform int slot;
+layout(location = 0) out uvec2 surface;
+void main() { surface = texelFetch(points, ivec3(gl_FragCoord.xy, slot), 0).xy; }`;
+  var PointSurface = class {
+    context;
+    buffers;
+    stage;
+    sparse;
+    surface;
+    splat = program(SPLAT, SPLAT_VERTEX);
+    fillHoles = program(FILL_HOLES);
+    copy = program(COPY);
+    constructor(context, buffers, stage) {
+      const { width, height } = stage;
+      this.context = context;
+      this.buffers = buffers;
+      this.stage = stage;
+      this.sparse = context.target([buffers.sparse], width, height, { depth: context.depth(width, height) });
+      this.surface = context.target([buffers.surface], width, height);
+    }
+    seeView(slot) {
+      this.context.fill(this.copy, { points: this.buffers.points, slot }, this.surface);
+    }
+    seePlace({ lens, around, step }) {
+      const { context, stage } = this;
+      const { gl } = context;
+      const [width, height] = [stage.width, stage.height].map((side) => Math.ceil(side / step));
+      const place = lens;
+      const rows = around.flatMap((view) => transferOf(view.lens, place)).flat();
+      const { points, sparse } = this.buffers;
+      const size = [width, height];
+      const values = {
+        points,
+        size,
+        step,
+        transfers: [...rows, ...Array(48 - rows.length).fill(0)],
+        slots: [0, 1, 2, 3].map((k) => around[k]?.slot ?? 0),
+        viewSize: [stage.width, stage.height],
+        near: place.near
+      };
+      context.use(this.splat, values, { ...this.sparse, width, height });
+      gl.clearBufferuiv(gl.COLOR, 0, [SKY, 0, 0, 0]);
+      context.drawNearest(gl.POINTS, around.length * stage.width * stage.height);
+      context.fill(this.fillHoles, { sparse, size }, { ...this.surface, width, height });
+    }
+  };
+
+  // src/webgl/shift.ts
+  var SHIFT = `
+${PLACES}
+uniform usampler2DArray fields;
+layout(location = 0) out uvec2 patchAt;
+void main() { patchAt = texelFetch(fields, chosen(ivec2(gl_FragCoord.xy)), 0).xy; }`;
+  var MIX_SHIFTED = `
+${PLACES}
+uniform usampler2DArray pictures;
+uniform ivec4 weights;
+layout(location = 0) out uvec4 colour;
+void main() {
+  ivec2 p = ivec2(gl_FragCoord.xy);
+  uvec3 sum = uvec3(0u);
+  uint whole = 0u;
+  for (int k = 0; k < count; k++) {
+    ivec3 place;
+    uint weight = uint(weights[k]);
+    if (weight == 0u || !shows(k, p, place)) continue;
+    sum += weight * texelFetch(pictures, place, 0).xyz;
+    whole += weight;
+  }
+  colour = whole == 0u ? texelFetch(pictures, chosen(p), 0) : uvec4((2u * sum + whole) / (2u * whole), 255u);
+}`;
+  var MIX_VIEWS = `
+uniform usampler2DArray pictures;
+uniform ivec4 slots, weights;
+uniform int count;
+layout(location = 0) out uvec4 colour;
+void main() {
+  uvec3 sum = uvec3(0u);
+  uint whole = 0u;
+  for (int k = 0; k < count; k++) {
+    sum += uint(weights[k]) * texelFetch(pictures, ivec3(gl_FragCoord.xy, slots[k]), 0).xyz;
+    whole += uint(weights[k]);
+  }
+  colour = uvec4((2u * sum + whole) / (2u * whole), 255u);
+}`;
 
   // src/webgl/vote.ts
   var vote2 = (radius) => `
@@ -1248,7 +1417,8 @@ void main() {
     context;
     stage;
     buffers;
-    surfaces;
+    surface;
+    beside;
     targets = /* @__PURE__ */ new Map();
     hasPicture = Array(SLOTS).fill(false);
     labels = program(LABELS);
@@ -1264,7 +1434,9 @@ void main() {
       this.context = new Context(gl);
       this.stage = stage;
       this.buffers = makeBuffers(this.context, stage);
-      this.surfaces = stage.mesh && new Surfaces(this.context, this.buffers, stage, stage.mesh);
+      if (stage.mesh) this.surface = new MeshSurface(this.context, this.buffers, stage, stage.mesh);
+      else this.surface = stage.hasPoints ? new PointSurface(this.context, this.buffers, stage) : null;
+      this.beside = new Beside(this.context, this.buffers, stage);
       this.vote = program(vote2(stage.patchRadius));
       this.search = program(limitedSearch2(stage.patchRadius));
     }
@@ -1274,8 +1446,10 @@ void main() {
       if (view.field) context.set(buffers.fields, width, height, view.field, slot);
       if (view.rgba) context.set(buffers.pictures, width, height, view.rgba, slot);
       this.hasPicture[slot] = view.rgba !== null;
-      if (!view.lens || !this.surfaces) return;
-      this.surfaces.see(view.lens, 1);
+      if (view.points) context.set(buffers.points, width, height, view.points, slot);
+      if (!view.lens || !this.surface) return;
+      this.surface.seeView(slot, view.lens);
+      this.beside.find(1);
       const { surface, beside: beside2 } = buffers;
       context.fill(this.labels, { surface, beside: beside2 }, this.layer("labels", slot));
     }
@@ -1335,10 +1509,13 @@ void main() {
       this.fill(this.vote, { field: searched, layer: 0, style, size: this.size }, into);
     }
     /** Find the motion of a moment; returns what passes need to read it. */
-    findMotion({ lens, around, step }) {
+    findMotion(moment) {
+      const { lens, around, step } = moment;
       const { surface, beside: beside2, labels, motion01, motion23, hidden } = this.buffers;
-      if (!lens || !this.surfaces) throw new Error("this mode needs the model");
-      const [width, height] = this.surfaces.see(lens, step);
+      if (!lens || !this.surface) throw new Error("this mode needs the model");
+      this.surface.seePlace(moment);
+      this.beside.find(step);
+      const [width, height] = this.size.map((side) => Math.ceil(side / step));
       const rows = around.flatMap((view) => transferOf(lens, view.lens)).flat();
       const transfers = [...rows, ...Array(48 - rows.length).fill(0)];
       const values = {
@@ -1630,6 +1807,24 @@ void main() {
     return field;
   }
 
+  // src/points.ts
+  function pointsOf(planes, width, height) {
+    const pixels = width * height;
+    const points = new Uint32Array(2 * pixels);
+    for (let y = 0, i = 0; y < height; y++) {
+      let [label, slope, bits] = [0, 0, 0];
+      for (let x = 0; x < width; x++, i++) {
+        const byte = (plane) => planes[plane * pixels + i];
+        label = label + (byte(0) | byte(1) << 8) & 65535;
+        slope = slope + (byte(2) | byte(3) << 8 | byte(4) << 16 | byte(5) << 24) | 0;
+        bits = bits + slope | 0;
+        points[2 * i] = label;
+        points[2 * i + 1] = bits;
+      }
+    }
+    return points;
+  }
+
   // src/store.ts
   var Store = class {
     data;
@@ -1680,13 +1875,14 @@ void main() {
       return coming;
     }
     async decoded(view) {
-      const { nnf, picture, camera } = this.data.views[view];
+      const { nnf, picture, points, camera } = this.data.views[view];
       const { width, height } = this.data;
       const bytes = (piece) => piece && decode(piece, this.source, this.readBitmap);
-      const [field, colours] = await Promise.all([bytes(nnf), bytes(picture)]);
+      const [field, colours, planes] = await Promise.all([bytes(nnf), bytes(picture), bytes(points)]);
       return {
         field: nnf && field && fieldOf(nnf, field, width, height),
         rgba: colours && toRgba(colours),
+        points: planes && pointsOf(planes, width, height),
         lens: camera && lensOf(camera, width, height)
       };
     }
@@ -1863,7 +2059,7 @@ void main() {
     const engines = new Engines(panel.canvas, data.width, data.height, parameters.engine);
     const source = sourceOf(data);
     const grid = new Grid(data);
-    const [hasFields, hasModel] = [data.style !== null, data.mesh !== null && grid.hasCameras];
+    const [hasFields, hasModel] = [data.style !== null, (data.mesh !== null || hasPoints(data)) && grid.hasCameras];
     const isPossible = (mode2) => (hasFields || !needsFields(mode2)) && (hasModel || !needsModel(mode2));
     const best = ["fade", "image", "linear"].find(isPossible);
     const mode = parameters.mode && isPossible(parameters.mode) ? parameters.mode : best;
@@ -1887,6 +2083,7 @@ void main() {
     viewer.use(engines.make(stage));
     window.stylitViewer = { viewer, store, engines };
   }
+  var hasPoints = (data) => data.views.every((view) => view.points !== null);
   async function readStage(data, source) {
     const { width, height, patchRadius, reach, style, mesh } = data;
     const bytes = (piece) => piece && decode(piece.piece, source, readBitmap);
@@ -1897,7 +2094,8 @@ void main() {
       patchRadius,
       reach,
       style: style && colours && { width: style.width, height: style.height, rgba: toRgba(colours) },
-      mesh: mesh && triangles && meshOf(mesh, triangles)
+      mesh: mesh && triangles && meshOf(mesh, triangles),
+      hasPoints: hasPoints(data)
     };
   }
   async function save(panel, viewer, data, stage, source) {

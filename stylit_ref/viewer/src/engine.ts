@@ -2,6 +2,7 @@
 
 import type { Lens } from "./camera.js";
 import type { Mode } from "./modes.js";
+import type { Points } from "./points.js";
 
 /** The model: triangles, the face that each belongs to, and its plane. */
 export interface Mesh {
@@ -26,6 +27,8 @@ export interface Stage {
   /** Four bytes a pixel; null if there are pictures alone. */
   style: { width: number; height: number; rgba: Uint8Array<ArrayBuffer> } | null;
   mesh: Mesh | null;
+  /** In place of a mesh, whether views have points. */
+  hasPoints: boolean;
 }
 
 /** A view as it was decoded. */
@@ -33,6 +36,7 @@ export interface ViewPixels {
   /** y, x of every pixel's patch; null if there is a picture alone. */
   field: Uint16Array<ArrayBuffer> | null;
   rgba: Uint8Array<ArrayBuffer> | null;
+  points: Points | null;
   lens: Lens | null;
 }
 

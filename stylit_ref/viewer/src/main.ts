@@ -31,7 +31,7 @@ async function start(panel: Panel): Promise<void> {
   const engines = new Engines(panel.canvas, data.width, data.height, parameters.engine);
   const source = sourceOf(data);
   const grid = new Grid(data);
-  const [hasFields, hasModel] = [data.style !== null, data.mesh !== null && grid.hasCameras];
+  const [hasFields, hasModel] = [data.style !== null, (data.mesh !== null || hasPoints(data)) && grid.hasCameras];
   const isPossible = (mode: Mode) => (hasFields || !needsFields(mode)) && (hasModel || !needsModel(mode));
   const best = (["fade", "image", "linear"] as const).find(isPossible) as Mode;
   const mode = parameters.mode && isPossible(parameters.mode) ? parameters.mode : best;
@@ -58,6 +58,8 @@ async function start(panel: Panel): Promise<void> {
   window.stylitViewer = { viewer, store, engines };
 }
 
+const hasPoints = (data: PageData): boolean => data.views.every((view) => view.points !== null);
+
 async function readStage(data: PageData, source: Source): Promise<Stage> {
   const { width, height, patchRadius, reach, style, mesh } = data;
   const bytes = (piece: { piece: Parameters<typeof decode>[0] } | null) => piece && decode(piece.piece, source, readBitmap);
@@ -69,6 +71,7 @@ async function readStage(data: PageData, source: Source): Promise<Stage> {
     reach,
     style: style && colours && { width: style.width, height: style.height, rgba: toRgba(colours) },
     mesh: mesh && triangles && meshOf(mesh, triangles),
+    hasPoints: hasPoints(data),
   };
 }
 

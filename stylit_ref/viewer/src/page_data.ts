@@ -44,6 +44,8 @@ export interface View {
   nnf: Piece | null;
   /** Red, green, blue; where there is no field. */
   picture: Piece | null;
+  /** Where there is no mesh; see points.ts. */
+  points: Piece | null;
 }
 
 export interface StyleData {

@@ -7,6 +7,7 @@ import { SLOTS, type Engine, type ViewPixels } from "./engine.js";
 import { fieldOf } from "./fields.js";
 import type { PageData } from "./page_data.js";
 import { toRgba } from "./pixels.js";
+import { pointsOf } from "./points.js";
 import type { Source } from "./source.js";
 
 export class Store {
@@ -67,13 +68,14 @@ export class Store {
   }
 
   private async decoded(view: number): Promise<ViewPixels> {
-    const { nnf, picture, camera } = this.data.views[view];
+    const { nnf, picture, points, camera } = this.data.views[view];
     const { width, height } = this.data;
     const bytes = (piece: typeof nnf) => piece && decode(piece, this.source, this.readBitmap);
-    const [field, colours] = await Promise.all([bytes(nnf), bytes(picture)]);
+    const [field, colours, planes] = await Promise.all([bytes(nnf), bytes(picture), bytes(points)]);
     return {
       field: nnf && field && fieldOf(nnf, field, width, height),
       rgba: colours && toRgba(colours),
+      points: planes && pointsOf(planes, width, height),
       lens: camera && lensOf(camera, width, height),
     };
   }

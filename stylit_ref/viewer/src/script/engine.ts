@@ -1,14 +1,16 @@
 // All passes in JavaScript, for browsers without WebGL 2, and for computers that emulate it.
 
 import type { Lens } from "../camera.js";
-import type { Engine, Mesh, Moment, Stage, ViewPixels } from "../engine.js";
+import type { Engine, Moment, Stage, ViewPixels } from "../engine.js";
 import { framesOf, shiftedWeights } from "../fading.js";
+import type { Points } from "../points.js";
 import { limitedSearch } from "./limited_search.js";
 import { mix, mixShifted } from "./mix.js";
 import { placesIn, type Places } from "./motion.js";
 import { raster } from "./raster.js";
 import { shift } from "./shift.js";
 import { beside } from "./silhouettes.js";
+import { splat, surfaceOf } from "./splat.js";
 import { vote } from "./vote.js";
 
 /** A view that is kept, with what was made of it. */
@@ -37,7 +39,7 @@ export class ScriptEngine implements Engine {
   }
 
   keep(slot: number, view: ViewPixels): void {
-    this.kept[slot] = { ...view, labels: view.lens && this.stage.mesh && this.labelsOf(view.lens, this.stage.mesh) };
+    this.kept[slot] = { ...view, labels: this.labelsOf(view) };
   }
 
   draw(moment: Moment): void {
@@ -98,8 +100,9 @@ export class ScriptEngine implements Engine {
 
   private places({ lens, around, step }: Moment): Places[] {
     const { width, height, mesh, reach } = this.stage;
-    if (!lens || !mesh) throw new Error("this mode needs the model");
-    const surface = raster(mesh, lens, width, height, step);
+    if (!lens) throw new Error("this mode needs the model");
+    const views = around.map((view) => ({ points: this.kept[view.slot].points as Points, lens: view.lens as Lens }));
+    const surface = mesh ? raster(mesh, lens, width, height, step) : splat(views, lens, width, height, step);
     const near = beside(surface, Math.max(1, Math.round(reach / step)));
     return around.map((view) => {
       const labels = this.kept[view.slot].labels as Uint16Array;
@@ -107,9 +110,10 @@ export class ScriptEngine implements Engine {
     });
   }
 
-  private labelsOf(lens: Lens, mesh: Mesh): Uint16Array {
-    const { width, height, reach } = this.stage;
-    const surface = raster(mesh, lens, width, height, 1);
+  private labelsOf({ lens, points }: ViewPixels): Uint16Array | null {
+    const { width, height, reach, mesh } = this.stage;
+    if (!lens || (!mesh && !points)) return null;
+    const surface = mesh ? raster(mesh, lens, width, height, 1) : surfaceOf(points as Points, width, height);
     return Uint16Array.from(beside(surface, reach), (q) => surface.faces[q]);
   }
 

@@ -4,17 +4,17 @@ import { SLOTS, type Stage } from "../engine.js";
 import type { Context, Texture } from "./context.js";
 
 /** Of the views that are kept: a layer for each. */
-export type Kept = "fields" | "pictures" | "labels";
+export type Kept = "fields" | "pictures" | "points" | "labels";
 
 /** Of the frame that is being made; each is a target of its own. */
 export type Work =
-  | "surface" | "rims" | "rimsInRow" | "beside" | "motion01" | "motion23" | "hidden"
+  | "sparse" | "surface" | "rims" | "rimsInRow" | "beside" | "motion01" | "motion23" | "hidden"
   | "shifted" | "voted" | "searched" | "frame0" | "frame1" | "frame2" | "frame3" | "mixed";
 
 export type Buffers = Record<Kept | Work | "style", Texture>;
 
 export function makeBuffers(context: Context, stage: Stage): Buffers {
-  const { width, height, style, mesh } = stage;
+  const { width, height, style, mesh, hasPoints } = stage;
   const kept = (format: Texture["format"], isNeeded: boolean) =>
     isNeeded ? context.texture(format, width, height, SLOTS) : context.texture(format, 1, 1, 1);
   const work = (format: Texture["format"]) => context.texture(format, width, height);
@@ -23,8 +23,10 @@ export function makeBuffers(context: Context, stage: Stage): Buffers {
   const buffers: Buffers = {
     fields: kept("RG16UI", style !== null),
     pictures: kept("RGBA8UI", true),
-    labels: kept("R16UI", mesh !== null),
+    points: kept("RG32UI", hasPoints),
+    labels: kept("R16UI", mesh !== null || hasPoints),
     style: context.texture("RGBA8UI", style?.width ?? 1, style?.height ?? 1),
+    sparse: work("RG32UI"),
     surface: work("RG32UI"),
     rims: work("R8UI"),
     rimsInRow: work("R8UI"),

@@ -130,6 +130,16 @@ export class Context {
     this.gl.drawArrays(this.gl.TRIANGLES, 0, 3);
   }
 
+  /** Draw with the program in use what is nearest, by inverse depths; of what is as near the first. */
+  drawNearest(mode: number, vertices: number): void {
+    const { gl } = this;
+    gl.clearBufferfv(gl.DEPTH, 0, [0]);
+    gl.enable(gl.DEPTH_TEST);
+    gl.depthFunc(gl.GREATER);
+    gl.drawArrays(mode, 0, vertices);
+    gl.disable(gl.DEPTH_TEST);
+  }
+
   /** The pixels of a texture. */
   read(from: Texture, width: number, height: number): Numbers {
     const { gl } = this;

@@ -3,14 +3,17 @@
 import { transferOf, type Lens } from "../camera.js";
 import { SLOTS, type Engine, type Moment, type Stage, type ViewPixels } from "../engine.js";
 import { framesOf, shiftedWeights } from "../fading.js";
+import { Beside } from "./beside.js";
 import { makeBuffers, type Buffers, type Work } from "./buffers.js";
 import { Context, program, type Numbers, type Target, type Texture, type Value } from "./context.js";
 import { MIX_FRAMES, SHOW } from "./finish.js";
 import { limitedSearch } from "./limited_search.js";
+import { MeshSurface } from "./mesh_surface.js";
 import { MOTION } from "./motion.js";
+import { PointSurface } from "./point_surface.js";
 import { MIX_SHIFTED, MIX_VIEWS, SHIFT } from "./shift.js";
 import { LABELS } from "./silhouettes.js";
-import { Surfaces } from "./surfaces.js";
+import type { Surface } from "./surface.js";
 import { vote } from "./vote.js";
 
 /** Motion between pixels is told in sixteenths of one, if it is not found at every pixel. */
@@ -25,7 +28,8 @@ export class WebglEngine implements Engine {
   private readonly context: Context;
   private readonly stage: Stage;
   private readonly buffers: Buffers;
-  private readonly surfaces: Surfaces | null;
+  private readonly surface: Surface | null;
+  private readonly beside: Beside;
   private readonly targets = new Map<string, Target>();
   private readonly hasPicture: boolean[] = Array<boolean>(SLOTS).fill(false);
   private readonly labels = program(LABELS);
@@ -42,7 +46,9 @@ export class WebglEngine implements Engine {
     this.context = new Context(gl);
     this.stage = stage;
     this.buffers = makeBuffers(this.context, stage);
-    this.surfaces = stage.mesh && new Surfaces(this.context, this.buffers, stage, stage.mesh);
+    if (stage.mesh) this.surface = new MeshSurface(this.context, this.buffers, stage, stage.mesh);
+    else this.surface = stage.hasPoints ? new PointSurface(this.context, this.buffers, stage) : null;
+    this.beside = new Beside(this.context, this.buffers, stage);
     this.vote = program(vote(stage.patchRadius));
     this.search = program(limitedSearch(stage.patchRadius));
   }
@@ -53,8 +59,10 @@ export class WebglEngine implements Engine {
     if (view.field) context.set(buffers.fields, width, height, view.field, slot);
     if (view.rgba) context.set(buffers.pictures, width, height, view.rgba, slot);
     this.hasPicture[slot] = view.rgba !== null;
-    if (!view.lens || !this.surfaces) return;
-    this.surfaces.see(view.lens, 1);
+    if (view.points) context.set(buffers.points, width, height, view.points, slot);
+    if (!view.lens || !this.surface) return;
+    this.surface.seeView(slot, view.lens);
+    this.beside.find(1);
     const { surface, beside } = buffers;
     context.fill(this.labels, { surface, beside }, this.layer("labels", slot));
   }
@@ -122,10 +130,13 @@ export class WebglEngine implements Engine {
   }
 
   /** Find the motion of a moment; returns what passes need to read it. */
-  private findMotion({ lens, around, step }: Moment): Values {
+  private findMotion(moment: Moment): Values {
+    const { lens, around, step } = moment;
     const { surface, beside, labels, motion01, motion23, hidden } = this.buffers;
-    if (!lens || !this.surfaces) throw new Error("this mode needs the model");
-    const [width, height] = this.surfaces.see(lens, step);
+    if (!lens || !this.surface) throw new Error("this mode needs the model");
+    this.surface.seePlace(moment);
+    this.beside.find(step);
+    const [width, height] = this.size.map((side) => Math.ceil(side / step));
     const rows = around.flatMap((view) => transferOf(lens, view.lens as Lens)).flat();
     const transfers = [...rows, ...Array<number>(48 - rows.length).fill(0)];
     const values = {
