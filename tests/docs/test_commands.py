@@ -25,6 +25,7 @@ import pytest
 from exr_files import write_exr
 from markdown_it import MarkdownIt
 from skimage.io import imsave
+from small_run import write_run
 
 from data_gen.guides import LIGHT_PASSES
 from data_gen.multilayer_exr import write_layers
@@ -52,6 +53,7 @@ NOT_RUN = (
 HELP = {
     "stylit-ref run": "stylit_ref.cli run",
     "stylit-ref sequence": "stylit_ref.cli sequence",
+    "stylit-ref view": "stylit_ref.cli view",
     "stylit-ref views": "stylit_ref.cli views",
     "stylit-ref texture": "stylit_ref.cli texture",
     "stylit-ref edit-texture": "stylit_ref.cli edit-texture",
@@ -200,12 +202,18 @@ def own_images(scratch):
         imsave(scratch / f"{name}.png", small(f"{image}.png"), check_contrast=False)
 
 
+def run_of_a_box(scratch):
+    """A RUN that holds a mesh."""
+    write_run(scratch / "build" / "run")
+
+
 PREPARED = {
     "README.md": (own_images,),
     "docs/how_to/renderer_passes.md": (passes_of_blender, rendered_passes),
     "docs/how_to/sequences.md": (passes_of_blender, shot_of_blender, grid_of_house),
     "docs/how_to/render_farm.md": (passes_of_blender, shot_of_blender, rule_of_guides),
     "docs/how_to/from_ebsynth.md": (images_of_ebsynth,),
+    "docs/how_to/views_between.md": (run_of_a_box,),
 }
 
 
