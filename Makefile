@@ -89,6 +89,12 @@ lint: $(VENV)/lint.installed ## ruff, import contracts, and whether every public
 	PATH="$(abspath $(BIN)):$$PATH" pyright --verifytypes stylit_ref --ignoreexternal
 	$(MAKE) viewer-check
 
+HOUSE := build/data/600x456
+viewer: $(VENV)/render.installed ## make the example page of the viewer, the house: build/viewer/house.html
+	$(BIN)/python -m data_gen --size 600x456 --scenes house_5
+	$(BIN)/stylit-ref views --preset fast --manifest $(HOUSE)/manifests/house/views.json --run build/viewer/run --output 'build/viewer/{view}.png'
+	$(BIN)/stylit-ref viewer build/viewer/run --title "A sketched house" --output build/viewer/house.html
+
 VIEWER := stylit_ref/viewer
 BUNDLE = cd $(VIEWER) && npm run --silent check && npm run --silent bundle -- --log-level=warning --outfile=
 
