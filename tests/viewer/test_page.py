@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 from small_views import SIZE, small_views
 
+from stylit_ref import read_uint8, replay
 from stylit_ref.viewer.contents import make_contents
-from stylit_ref.viewer.write_page import folder_texts, write_folder
+from stylit_ref.viewer.write_page import folder_texts, page_text, write_folder
 
 AXE = Path(__file__).parents[2] / "stylit_ref/viewer/node_modules/axe-core/axe.min.js"
 NO_WEBGL = """HTMLCanvasElement.prototype.getContext = ((get) => function (kind, ...rest) {
@@ -187,6 +188,22 @@ def test_a_missing_file_of_a_folder_is_named(open_page, page_folder, chromium):
     page.wait_for_function("document.getElementById('message').textContent.includes('missing')")
     assert message.text_content() == "data/view-0-1.js is missing. Copy the whole folder again."
     page.close()
+
+
+@pytest.mark.parametrize("engine", ["webgl", "script"])
+def test_a_still_is_the_replay_in_the_larger_style(open_page, tmp_path, engine):
+    views = small_views()
+    large = np.random.default_rng(1).integers(0, 256, (100, 80, 3), dtype=np.uint8)
+    contents = make_contents(views, title="Still", band=0.6, still=large)
+    file = tmp_path / "still.html"
+    file.write_text(page_text(contents), encoding="utf-8")
+    page = open_page(file, f"?engine={engine}&mode=limited&view=0.5,1").rested()
+    with page.page.expect_download() as download:
+        page.page.locator("#save").click()
+    still = read_uint8(download.value.path())
+    (searched,) = page.draws((0.5, 1.0), "limited", "searched")
+    expected = replay(searched.astype(np.int32), large, patch_width=5, scale=2)
+    assert np.array_equal(still[..., :3], expected)
 
 
 def test_a_large_grid_is_streamed(open_page, tmp_path):

@@ -1576,11 +1576,12 @@ void main() {
     canvas;
     gl;
     flat;
-    constructor(canvas, width, height, asked) {
+    /** `longest` is the longest side of all images, which textures have to hold. */
+    constructor(canvas, width, height, longest, asked) {
       canvas.width = width;
       canvas.height = height;
       this.canvas = canvas;
-      const chosen2 = asked ?? (hasProcessor() ? "webgl" : "script");
+      const chosen2 = asked ?? (hasProcessor(longest) ? "webgl" : "script");
       this.gl = chosen2 === "webgl" ? canvas.getContext("webgl2", SETTINGS) : null;
       this.flat = this.gl ? null : canvas.getContext("2d");
       if (!this.gl && !this.flat)
@@ -1598,9 +1599,9 @@ void main() {
       this.canvas.addEventListener("webglcontextrestored", restored);
     }
   };
-  function hasProcessor() {
+  function hasProcessor(longest) {
     const gl = document.createElement("canvas").getContext("webgl2", { failIfMajorPerformanceCaveat: true });
-    if (!gl) return false;
+    if (!gl || gl.getParameter(gl.MAX_TEXTURE_SIZE) < longest) return false;
     const names = gl.getExtension("WEBGL_debug_renderer_info");
     const name = String(gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
     gl.getExtension("WEBGL_lose_context")?.loseContext();
@@ -2056,10 +2057,12 @@ void main() {
   async function start(panel) {
     const data = readPageData();
     const parameters = readParameters(location.search);
-    const engines = new Engines(panel.canvas, data.width, data.height, parameters.engine);
+    const { width, height, style } = data;
+    const longest = Math.max(width, height, style?.width ?? 0, style?.height ?? 0);
+    const engines = new Engines(panel.canvas, width, height, longest, parameters.engine);
     const source = sourceOf(data);
     const grid = new Grid(data);
-    const [hasFields, hasModel] = [data.style !== null, (data.mesh !== null || hasPoints(data)) && grid.hasCameras];
+    const [hasFields, hasModel] = [style !== null, (data.mesh !== null || hasPoints(data)) && grid.hasCameras];
     const isPossible = (mode2) => (hasFields || !needsFields(mode2)) && (hasModel || !needsModel(mode2));
     const best = ["fade", "image", "linear"].find(isPossible);
     const mode = parameters.mode && isPossible(parameters.mode) ? parameters.mode : best;

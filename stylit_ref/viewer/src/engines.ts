@@ -22,11 +22,12 @@ export class Engines {
   private readonly gl: WebGL2RenderingContext | null;
   private readonly flat: CanvasRenderingContext2D | null;
 
-  constructor(canvas: HTMLCanvasElement, width: number, height: number, asked: Parameters["engine"]) {
+  /** `longest` is the longest side of all images, which textures have to hold. */
+  constructor(canvas: HTMLCanvasElement, width: number, height: number, longest: number, asked: Parameters["engine"]) {
     canvas.width = width;
     canvas.height = height;
     this.canvas = canvas;
-    const chosen = asked ?? (hasProcessor() ? "webgl" : "script");
+    const chosen = asked ?? (hasProcessor(longest) ? "webgl" : "script");
     this.gl = chosen === "webgl" ? canvas.getContext("webgl2", SETTINGS) : null;
     this.flat = this.gl ? null : canvas.getContext("2d");
     if (!this.gl && !this.flat)
@@ -47,9 +48,9 @@ export class Engines {
   }
 }
 
-function hasProcessor(): boolean {
+function hasProcessor(longest: number): boolean {
   const gl = document.createElement("canvas").getContext("webgl2", { failIfMajorPerformanceCaveat: true });
-  if (!gl) return false;
+  if (!gl || gl.getParameter(gl.MAX_TEXTURE_SIZE) < longest) return false;
   const names = gl.getExtension("WEBGL_debug_renderer_info");
   const name = String(gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
   gl.getExtension("WEBGL_lose_context")?.loseContext();

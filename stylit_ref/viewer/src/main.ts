@@ -28,10 +28,12 @@ const MIDDLE: Place = [0, 0];
 async function start(panel: Panel): Promise<void> {
   const data = readPageData();
   const parameters = readParameters(location.search);
-  const engines = new Engines(panel.canvas, data.width, data.height, parameters.engine);
+  const { width, height, style } = data;
+  const longest = Math.max(width, height, style?.width ?? 0, style?.height ?? 0);
+  const engines = new Engines(panel.canvas, width, height, longest, parameters.engine);
   const source = sourceOf(data);
   const grid = new Grid(data);
-  const [hasFields, hasModel] = [data.style !== null, (data.mesh !== null || hasPoints(data)) && grid.hasCameras];
+  const [hasFields, hasModel] = [style !== null, (data.mesh !== null || hasPoints(data)) && grid.hasCameras];
   const isPossible = (mode: Mode) => (hasFields || !needsFields(mode)) && (hasModel || !needsModel(mode));
   const best = (["fade", "image", "linear"] as const).find(isPossible) as Mode;
   const mode = parameters.mode && isPossible(parameters.mode) ? parameters.mode : best;
