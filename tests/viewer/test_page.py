@@ -211,7 +211,7 @@ def test_a_large_grid_is_streamed(open_page, tmp_path):
     contents = make_contents(views, title="Many", band=0.6)
     write_folder(tmp_path, folder_texts(contents))
     page = open_page(tmp_path / "index.html", "?engine=webgl&view=-9,-9&mode=limited").rested()
-    assert page.page.evaluate("window.stylitViewer.store.slots.size") == 4
+    page.page.wait_for_function("window.stylitViewer.store.slots.size === 9")  # the cells beside
     first = page.draws((-9, -9), "limited", "frame0")[0]
     for place in ((-4, -9), (1, -9), (6, -9), (-9, -1), (1, -1), (6, -1), (6, 6), (-9, 6)):
         page.draws(place, "limited", "frame0")

@@ -235,6 +235,14 @@
       );
       return found.sort((a, b) => a.distance - b.distance || a.view - b.view);
     }
+    /** The views beyond those around, which a next turn may need: with them 16 at most. */
+    beyond(place) {
+      const { columns, rows } = this.data;
+      const [across, upwards] = [beside(between(place[0], columns), columns), beside(between(place[1], rows), rows)];
+      const around = this.around(place).map((neighbour) => neighbour.view);
+      const all = upwards.flatMap((row) => across.map((column) => row * columns.positions.length + column));
+      return all.filter((view) => !around.includes(view));
+    }
     /** The camera at a place. Around a target it stays on its orbit; whatever else differs is blended. */
     camera(place) {
       const { columns, rows, views } = this.data;
@@ -260,6 +268,12 @@
   function held(place, axis) {
     const reach = reachOf(axis);
     return axis.isRing ? (place % 360 + 360) % 360 : Math.min(Math.max(place, -reach), reach);
+  }
+  function beside({ low, high }, { positions, isRing }) {
+    const count = positions.length;
+    const four2 = [low - 1, low, high, high + 1];
+    const there = isRing ? four2.map((each) => (each + count) % count) : four2.filter((each) => each >= 0 && each < count);
+    return [...new Set(there)];
   }
   function between(place, axis) {
     const first = axis.positions[0];
@@ -485,7 +499,7 @@
 
   // src/script/silhouettes.ts
   var isNearer = (inverse, other) => inverse > 1.05 * other;
-  function beside(surface, reach) {
+  function beside2(surface, reach) {
     const { width, height, inverse } = surface;
     const rims = rimsOf(surface);
     const isClose = grown(rims, width, height, reach);
@@ -703,7 +717,7 @@
       if (!lens) throw new Error("this mode needs the model");
       const views = around.map((view) => ({ points: this.kept[view.slot].points, lens: view.lens }));
       const surface = mesh ? raster(mesh, lens, width, height, step) : splat(views, lens, width, height, step);
-      const near = beside(surface, Math.max(1, Math.round(reach / step)));
+      const near = beside2(surface, Math.max(1, Math.round(reach / step)));
       return around.map((view) => {
         const labels = this.kept[view.slot].labels;
         return placesIn(labels, lens, view.lens, surface, near, step, width, height);
@@ -713,7 +727,7 @@
       const { width, height, reach, mesh } = this.stage;
       if (!lens || !mesh && !points) return null;
       const surface = mesh ? raster(mesh, lens, width, height, 1) : surfaceOf(points, width, height);
-      return Uint16Array.from(beside(surface, reach), (q) => surface.faces[q]);
+      return Uint16Array.from(beside2(surface, reach), (q) => surface.faces[q]);
     }
     /** The picture of a view, which its field gives; made when a mode first needs it. */
     pictureOf(view) {
@@ -1450,8 +1464,8 @@ void main() {
       if (!view.lens || !this.surface) return;
       this.surface.seeView(slot, view.lens);
       this.beside.find(1);
-      const { surface, beside: beside2 } = buffers;
-      context.fill(this.labels, { surface, beside: beside2 }, this.layer("labels", slot));
+      const { surface, beside: beside3 } = buffers;
+      context.fill(this.labels, { surface, beside: beside3 }, this.layer("labels", slot));
     }
     draw(moment) {
       const picture = this.picture(moment);
@@ -1511,7 +1525,7 @@ void main() {
     /** Find the motion of a moment; returns what passes need to read it. */
     findMotion(moment) {
       const { lens, around, step } = moment;
-      const { surface, beside: beside2, labels, motion01, motion23, hidden } = this.buffers;
+      const { surface, beside: beside3, labels, motion01, motion23, hidden } = this.buffers;
       if (!lens || !this.surface) throw new Error("this mode needs the model");
       this.surface.seePlace(moment);
       this.beside.find(step);
@@ -1520,7 +1534,7 @@ void main() {
       const transfers = [...rows, ...Array(48 - rows.length).fill(0)];
       const values = {
         surface,
-        beside: beside2,
+        beside: beside3,
         labels,
         transfers,
         slots: four(around.map((view) => view.slot)),
@@ -1857,6 +1871,16 @@ void main() {
       this.want(views);
       await Promise.all(views.filter((view) => !this.slots.has(view)).map((view) => this.fetch(view)));
     }
+    /** Ask for views that may be needed next, one after the other, until others are needed. */
+    async prepare(views) {
+      const { wanted } = this;
+      for (const view of views) {
+        if (this.wanted !== wanted) return;
+        if (this.slots.has(view)) continue;
+        await this.fetch(view);
+        await new Promise((resolve) => setTimeout(resolve));
+      }
+    }
     /** None of these gives way; and of the others those before them do. */
     want(views) {
       this.wanted = views;
@@ -2035,6 +2059,7 @@ void main() {
       } else this.pace.rested(0);
       this.told.rate(this.pace.framesPerSecond);
       this.told.rests(this.place);
+      this.store.prepare(this.grid.beyond(this.place)).catch(() => void 0);
     }
     moment(mode) {
       const around = this.grid.around(this.place);

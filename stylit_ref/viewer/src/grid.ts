@@ -67,6 +67,15 @@ export class Grid {
     return found.sort((a, b) => a.distance - b.distance || a.view - b.view);
   }
 
+  /** The views beyond those around, which a next turn may need: with them 16 at most. */
+  beyond(place: Place): number[] {
+    const { columns, rows } = this.data;
+    const [across, upwards] = [beside(between(place[0], columns), columns), beside(between(place[1], rows), rows)];
+    const around = this.around(place).map((neighbour) => neighbour.view);
+    const all = upwards.flatMap((row) => across.map((column) => row * columns.positions.length + column));
+    return all.filter((view) => !around.includes(view));
+  }
+
   /** The camera at a place. Around a target it stays on its orbit; whatever else differs is blended. */
   camera(place: Place): Camera {
     const { columns, rows, views } = this.data;
@@ -95,6 +104,14 @@ function spacingOf(axis: Axis): number {
 function held(place: number, axis: Axis): number {
   const reach = reachOf(axis);
   return axis.isRing ? ((place % 360) + 360) % 360 : Math.min(Math.max(place, -reach), reach);
+}
+
+/** The rows or columns around, and one more on each side, where there is one. */
+function beside({ low, high }: Between, { positions, isRing }: Axis): number[] {
+  const count = positions.length;
+  const four = [low - 1, low, high, high + 1];
+  const there = isRing ? four.map((each) => (each + count) % count) : four.filter((each) => each >= 0 && each < count);
+  return [...new Set(there)];
 }
 
 /** Of a place on a position it is the lower of the two, unless it is the last one. */

@@ -45,6 +45,17 @@ export class Store {
     await Promise.all(views.filter((view) => !this.slots.has(view)).map((view) => this.fetch(view)));
   }
 
+  /** Ask for views that may be needed next, one after the other, until others are needed. */
+  async prepare(views: readonly number[]): Promise<void> {
+    const { wanted } = this;
+    for (const view of views) {
+      if (this.wanted !== wanted) return;
+      if (this.slots.has(view)) continue;
+      await this.fetch(view);
+      await new Promise((resolve) => setTimeout(resolve));
+    }
+  }
+
   /** None of these gives way; and of the others those before them do. */
   private want(views: readonly number[]): void {
     this.wanted = views;

@@ -124,6 +124,8 @@ export class Viewer {
     } else this.pace.rested(0);
     this.told.rate(this.pace.framesPerSecond);
     this.told.rests(this.place);
+    // What cannot be had is told when it is needed.
+    this.store.prepare(this.grid.beyond(this.place)).catch(() => undefined);
   }
 
   private moment(mode: Mode): Moment | null {
