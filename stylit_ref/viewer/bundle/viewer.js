@@ -502,14 +502,16 @@
   function beside2(surface, reach) {
     const { width, height, inverse } = surface;
     const rims = rimsOf(surface);
-    const isClose = grown(rims, width, height, reach);
+    const inRows = grownInRows(rims, width, reach);
+    const isClose = grownInColumns(inRows, width, height, reach);
     const places = Int32Array.from(inverse, (_, p) => p);
     for (let y = 0, p = 0; y < height; y++)
       for (let x = 0; x < width; x++, p++) {
         if (!isClose[p]) continue;
         let closest = reach * reach + 1;
         let nearest = Infinity;
-        for (let row2 = Math.max(y - reach, 0); row2 <= Math.min(y + reach, height - 1); row2++)
+        for (let row2 = Math.max(y - reach, 0); row2 <= Math.min(y + reach, height - 1); row2++) {
+          if (!inRows[row2 * width + x]) continue;
           for (let column2 = Math.max(x - reach, 0); column2 <= Math.min(x + reach, width - 1); column2++) {
             const q = row2 * width + column2;
             if (!rims[q]) continue;
@@ -520,6 +522,7 @@
             nearest = inverse[q];
             places[p] = q;
           }
+        }
         if (closest > reach * reach) continue;
         const [rimY, rimX] = [Math.floor(places[p] / width), places[p] % width];
         const [row, column] = [rimY + Math.sign(rimY - y), rimX + Math.sign(rimX - x)];
@@ -529,36 +532,42 @@
     return places;
   }
   function rimsOf({ width, height, inverse }) {
-    const rims = new Uint8Array(width * height);
+    const rims = new Uint8Array(inverse.length);
     const isStep = (x, y, dx, dy) => {
       const at = (k) => {
         const [column, row] = [x + k * dx, y + k * dy];
         return column >= 0 && column < width && row >= 0 && row < height ? inverse[row * width + column] : void 0;
       };
-      const near = inverse[y * width + x];
-      const far = at(1);
-      if (far === void 0 || !isNearer(near, far)) return false;
+      const [near, far] = [inverse[y * width + x], at(1)];
       const before = at(-1) ?? 2 * near - far;
       const behind = at(2) ?? 2 * far - near;
       return near - far > 2 * Math.min(Math.abs(before - near), Math.abs(far - behind));
     };
     for (let y = 0, p = 0; y < height; y++)
-      for (let x = 0; x < width; x++, p++)
-        if (isStep(x, y, 0, -1) || isStep(x, y, 0, 1) || isStep(x, y, -1, 0) || isStep(x, y, 1, 0)) rims[p] = 1;
+      for (let x = 0; x < width; x++, p++) {
+        const near = inverse[p];
+        if (y > 0 && isNearer(near, inverse[p - width]) && isStep(x, y, 0, -1)) rims[p] = 1;
+        else if (y < height - 1 && isNearer(near, inverse[p + width]) && isStep(x, y, 0, 1)) rims[p] = 1;
+        else if (x > 0 && isNearer(near, inverse[p - 1]) && isStep(x, y, -1, 0)) rims[p] = 1;
+        else if (x < width - 1 && isNearer(near, inverse[p + 1]) && isStep(x, y, 1, 0)) rims[p] = 1;
+      }
     return rims;
   }
-  function grown(rims, width, height, reach) {
-    const inRows = new Uint8Array(rims.length);
-    const all = new Uint8Array(rims.length);
-    rims.forEach((rim, p) => {
-      if (!rim) return;
+  function grownInRows(rims, width, reach) {
+    const grown = new Uint8Array(rims.length);
+    for (let p = 0; p < rims.length; p++) {
+      if (!rims[p]) continue;
       const start2 = p - p % width;
-      inRows.fill(1, Math.max(p - reach, start2), Math.min(p + reach + 1, start2 + width));
-    });
+      grown.fill(1, Math.max(p - reach, start2), Math.min(p + reach + 1, start2 + width));
+    }
+    return grown;
+  }
+  function grownInColumns(set, width, height, reach) {
+    const grown = new Uint8Array(set.length);
     for (let y = 0; y < height; y++)
       for (let row = Math.max(y - reach, 0); row <= Math.min(y + reach, height - 1); row++)
-        for (let x = 0; x < width; x++) all[y * width + x] |= inRows[row * width + x];
-    return all;
+        for (let x = 0; x < width; x++) grown[y * width + x] |= set[row * width + x];
+    return grown;
   }
 
   // src/script/splat.ts
