@@ -1939,33 +1939,33 @@ void main() {
   // src/pace.ts
   var SLOW = 50;
   var REMEMBERED = 8;
+  var ENOUGH = 3;
   var Pace = class {
     intervals = [];
     last = null;
+    /** Milliseconds of a frame with all passes; 0 as long as none was drawn. */
     whole = 0;
-    /** A frame was drawn in motion. */
-    moved(now) {
-      if (this.last !== null) this.intervals = [...this.intervals, now - this.last].slice(-REMEMBERED);
+    /** A frame was drawn in motion, with all passes or without. */
+    moved(now, isWhole) {
+      this.intervals = this.last === null ? [] : [...this.intervals, now - this.last].slice(-REMEMBERED);
       this.last = now;
+      if (isWhole && this.intervals.length >= ENOUGH) this.whole = this.interval;
     }
-    /** The motion has ended, and a frame with all passes took so long. */
-    rested(milliseconds) {
+    /** The motion has ended; a frame with all passes may have been drawn since. */
+    rested(wholeFrame) {
       this.last = null;
-      this.whole = milliseconds;
+      if (wholeFrame !== null) this.whole = wholeFrame;
     }
-    /** Frames came so fast with all passes that none has to wait. */
+    /** Whether a frame with all passes takes too long in motion, or may. */
     get isSlow() {
-      return this.whole > SLOW;
+      return this.whole === 0 || this.whole > SLOW;
     }
-    /** If frames with all passes come too slowly in motion, the next ones are drawn without. */
-    heedMotion() {
-      if (this.intervals.length >= 3 && this.frameTime > SLOW) this.whole = this.frameTime;
-    }
+    /** Of the last motion; before that as the one frame at rest tells. */
     get framesPerSecond() {
-      const time = this.intervals.length ? this.frameTime : this.whole;
+      const time = this.intervals.length ? this.interval : this.whole;
       return time > 0 ? 1e3 / time : null;
     }
-    get frameTime() {
+    get interval() {
       return this.intervals.reduce((sum, each) => sum + each, 0) / this.intervals.length;
     }
   };
@@ -2011,6 +2011,7 @@ void main() {
     go(place) {
       this.place = this.grid.within(place);
       this.isMoving = true;
+      clearTimeout(this.restTimer);
       this.ask();
     }
     choose(mode, motion) {
@@ -2037,7 +2038,7 @@ void main() {
     frame(now) {
       this.isDirty = false;
       if (!this.engine) return;
-      const waits = this.isMoving && (this.pace.isSlow || !this.pace.framesPerSecond) && this.mode !== quick(this.mode);
+      const waits = this.isMoving && this.pace.isSlow && this.mode !== quick(this.mode);
       const moment = this.moment(waits ? quick(this.mode) : this.mode);
       if (!moment) {
         const needed = this.needed;
@@ -2049,8 +2050,7 @@ void main() {
       this.firstDrawn ??= performance.now();
       clearTimeout(this.restTimer);
       if (this.isMoving) {
-        this.pace.moved(now);
-        if (!waits) this.pace.heedMotion();
+        this.pace.moved(now, !waits);
         this.restTimer = setTimeout(() => this.rest(waits), REST);
       }
       this.told.rate(this.pace.framesPerSecond);
@@ -2059,13 +2059,13 @@ void main() {
     rest(hasWaited) {
       this.isMoving = false;
       if (!this.engine) return;
+      const begun = performance.now();
       if (hasWaited) {
-        const begun = performance.now();
         this.drawNow();
         this.engine.finish();
-        this.pace.rested(performance.now() - begun);
         this.told.waits(null);
-      } else this.pace.rested(0);
+      }
+      this.pace.rested(hasWaited ? performance.now() - begun : null);
       this.told.rate(this.pace.framesPerSecond);
       this.told.rests(this.place);
       this.store.prepare(this.grid.beyond(this.place)).catch(() => void 0);

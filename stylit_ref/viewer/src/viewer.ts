@@ -61,6 +61,7 @@ export class Viewer {
   go(place: Place): void {
     this.place = this.grid.within(place);
     this.isMoving = true;
+    clearTimeout(this.restTimer);
     this.ask();
   }
 
@@ -92,7 +93,7 @@ export class Viewer {
   private frame(now: number): void {
     this.isDirty = false;
     if (!this.engine) return;
-    const waits = this.isMoving && (this.pace.isSlow || !this.pace.framesPerSecond) && this.mode !== quick(this.mode);
+    const waits = this.isMoving && this.pace.isSlow && this.mode !== quick(this.mode);
     const moment = this.moment(waits ? quick(this.mode) : this.mode);
     if (!moment) {
       const needed = this.needed;
@@ -104,8 +105,7 @@ export class Viewer {
     this.firstDrawn ??= performance.now();
     clearTimeout(this.restTimer);
     if (this.isMoving) {
-      this.pace.moved(now);
-      if (!waits) this.pace.heedMotion();
+      this.pace.moved(now, !waits);
       this.restTimer = setTimeout(() => this.rest(waits), REST);
     }
     this.told.rate(this.pace.framesPerSecond);
@@ -115,13 +115,13 @@ export class Viewer {
   private rest(hasWaited: boolean): void {
     this.isMoving = false;
     if (!this.engine) return;
+    const begun = performance.now();
     if (hasWaited) {
-      const begun = performance.now();
       this.drawNow();
       this.engine.finish();
-      this.pace.rested(performance.now() - begun);
       this.told.waits(null);
-    } else this.pace.rested(0);
+    }
+    this.pace.rested(hasWaited ? performance.now() - begun : null);
     this.told.rate(this.pace.framesPerSecond);
     this.told.rests(this.place);
     // What cannot be had is told when it is needed.
