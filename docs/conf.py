@@ -30,6 +30,7 @@ include_patterns = [
     "oracle/texture/SPEC.md",
     "oracle/realtime/SPEC.md",
     "oracle/views/SPEC.md",
+    "oracle/interpolation/SPEC.md",
     "README.md",
     "CHANGELOG.md",
     "reports/README.md",

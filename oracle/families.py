@@ -125,7 +125,25 @@ VIEWS = Family(
     },
 )
 
-FAMILIES = STYLIZATION, TEXTURE, REALTIME, VIEWS
+INTERPOLATION = Family(
+    "interpolation",
+    ("interpolation/v1",),
+    {
+        "around": "2",
+        "transfer": "3",
+        "rasterize": "4",
+        "splat": "4",
+        "shift": "5",
+        "fetch": "5",
+        "vote": "6",
+        "search": "6",
+        "mix": "7",
+        "mix_shifted": "7",
+        "frame": "8",
+    },
+)
+
+FAMILIES = STYLIZATION, TEXTURE, REALTIME, VIEWS, INTERPOLATION
 
 FAMILY_OF = {version: family for family in FAMILIES for version in family.versions}
 

@@ -3,7 +3,16 @@
 import shutil
 
 from oracle.cases import write_case, write_digests
-from oracle.families import FAMILY_OF, REALTIME, STYLIZATION, TEXTURE, VIEWS, folder_of
+from oracle.families import (
+    FAMILY_OF,
+    INTERPOLATION,
+    REALTIME,
+    STYLIZATION,
+    TEXTURE,
+    VIEWS,
+    folder_of,
+)
+from oracle.make.interpolation import interpolation_cases
 from oracle.make.realtime import realtime_cases
 from oracle.make.stylization import stylization_cases
 from oracle.make.texture import texture_cases
@@ -16,6 +25,7 @@ MAKERS = {
     TEXTURE.name: texture_cases,
     REALTIME.name: realtime_cases,
     VIEWS.name: views_cases,
+    INTERPOLATION.name: interpolation_cases,
 }
 """For each family a function ``(version) -> cases``."""
 

@@ -3,8 +3,9 @@
 from types import ModuleType
 from typing import NamedTuple
 
-from oracle.families import REALTIME, STYLIZATION, TEXTURE, VIEWS, Family
+from oracle.families import INTERPOLATION, REALTIME, STYLIZATION, TEXTURE, VIEWS, Family
 from oracle.stages import (
+    interpolation,
     realtime,
     realtime_frames,
     runs,
@@ -20,6 +21,7 @@ from stylit_ref import passes as stylization_passes
 from stylit_ref.realtime import passes as realtime_passes
 from stylit_ref.texture import passes as texture_passes
 from stylit_ref.views import passes as views_passes
+from stylit_ref.views.interpolation import passes as interpolation_passes
 
 
 class System(NamedTuple):
@@ -41,6 +43,7 @@ SYSTEMS = {
     TEXTURE.name: System(texture_passes, texture.STAGES | texture_runs.STAGES),
     REALTIME.name: System(realtime_passes, realtime.STAGES | realtime_frames.STAGES),
     VIEWS.name: System(views_passes, views.STAGES | views_runs.STAGES),
+    INTERPOLATION.name: System(interpolation_passes, interpolation.STAGES),
 }
 """The system of each family, by the family's name."""
 

@@ -12,8 +12,8 @@ import oracle
 
 ROWS = {
     "families.py": (
-        "FAMILIES = STYLIZATION, TEXTURE, REALTIME, VIEWS",
-        "FAMILIES = STYLIZATION, TEXTURE, REALTIME, VIEWS, "
+        "FAMILIES = STYLIZATION, TEXTURE, REALTIME, VIEWS, INTERPOLATION",
+        "FAMILIES = STYLIZATION, TEXTURE, REALTIME, VIEWS, INTERPOLATION, "
         'Family("made_up", ("made_up/v1",), {"double": "1"})',
     ),
     "stages/__init__.py": (

@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from stylit_ref.machine.replaced import Passes
 from stylit_ref.machine.vector_patch import STYLE_LANES, row_lanes
 from stylit_ref.realtime.passes.border import make_extend
 from stylit_ref.realtime.passes.image import Image, interior, make_image, whole
@@ -47,13 +48,15 @@ def make_style(style: NDArray[np.uint8], patch_width: int) -> Style:
     return Style(image, channels, patch_width)
 
 
-def vote(style: Style, nnf: NDArray[np.int32]) -> Image:
+def vote(style: Style, nnf: NDArray[np.int32], using: Passes = passes) -> Image:
     """The mean of the patches over each pixel.
 
     Parameters
     ----------
     style : Style
     nnf : (H, W) int32
+    using : module, optional
+        The passes, or others that do the same.
 
     Returns
     -------
@@ -65,13 +68,17 @@ def vote(style: Style, nnf: NDArray[np.int32]) -> Image:
     words = whole(picture, STYLE_LANES).view(np.uint32)[:, :, 0]
     values, stride = style.image.values.view(np.uint32), style.image.stride
     corners = np.empty_like(nnf)
-    passes.find_corners(nnf, stride, border, corners)
-    passes.make_vote(style.patch_width)(corners, values, stride, words, border)
+    using.find_corners(nnf, stride, border, corners)
+    using.make_vote(style.patch_width)(corners, values, stride, words, border)
     return picture
 
 
 def search_among(
-    style: Style, nnf: NDArray[np.int32], candidates: NDArray[np.int32], picture: Image
+    style: Style,
+    nnf: NDArray[np.int32],
+    candidates: NDArray[np.int32],
+    picture: Image,
+    using: Passes = passes,
 ) -> NDArray[np.int32]:
     """The limited search: of the chosen patch and the candidates the one most like the picture.
 
@@ -84,6 +91,8 @@ def search_among(
         Shifted NNFs, -1 where they are masked.
     picture : Image
         Of :func:`vote`; its border is filled.
+    using : module, optional
+        The passes, or others that do the same.
 
     Returns
     -------
@@ -93,7 +102,7 @@ def search_among(
     weights = np.zeros(row_lanes(style.patch_width, STYLE_LANES), np.int16)
     weights[: style.patch_width * STYLE_LANES] = 1
     found = np.empty_like(nnf)
-    passes.make_limited_search(style.patch_width)(
+    using.make_limited_search(style.patch_width)(
         nnf, candidates, style.image, picture, weights, found
     )
     return found

@@ -79,11 +79,14 @@ class ViewInterpolator:
     """
 
     grid: Grid
+    geometry: Geometry
+    stylized: Stylized
+    band: float
 
     def __init__(
         self, grid: Grid, geometry: Geometry, stylized: Stylized, band: float = BAND
     ) -> None:
-        self.grid, self._geometry, self._stylized, self._band = grid, geometry, stylized, band
+        self.grid, self.geometry, self.stylized, self.band = grid, geometry, stylized, band
         self._style = make_style(stylized.style, stylized.patch_width)
 
     def picture(self, place: tuple[float, float], mode: Mode = "fade") -> NDArray[np.uint8]:
@@ -129,8 +132,8 @@ class ViewInterpolator:
         -------
         Shifted
         """
-        around = self.grid.around(place, self._band)
-        surface, motion = self._geometry.look(place, around.views)
+        around = self.grid.around(place, self.band)
+        surface, motion = self.geometry.look(place, around.views)
         views, places = np.array(around.views, np.int64), np.empty(motion.shape[:3], np.int32)
         passes.shift(motion, surface.labels, surface.beside, self._labels, views, places)
         return Shifted(around, views, places)
@@ -151,17 +154,17 @@ class ViewInterpolator:
         """
         candidates = np.empty_like(shifted.places)
         nnf = np.empty(shifted.places.shape[1:], np.int32)
-        nnfs = self._stylized.nnfs
+        nnfs = self.stylized.nnfs
         passes.fetch(nnfs, shifted.views, shifted.places, candidates, nnf)
         return candidates, nnf
 
     @cached_property
     def _labels(self):
-        return self._geometry.view_labels()
+        return self.geometry.view_labels()
 
     def _linear(self, place):
-        around = self.grid.around(place, self._band)
-        return self._mixed(self._stylized.pictures[list(around.views)], around.linear)
+        around = self.grid.around(place, self.band)
+        return self._mixed(self.stylized.pictures[list(around.views)], around.linear)
 
     def _image(self, place):
         shifted = self.shift(place)
@@ -195,7 +198,7 @@ class ViewInterpolator:
         return mixed
 
     def _mix_shifted(self, shifted, weights):
-        pictures = self._stylized.pictures
+        pictures = self.stylized.pictures
         mixed = np.empty(pictures.shape[1:], np.uint8)
         weights = np.array(weights, np.int64)
         passes.mix_shifted(pictures, shifted.views, shifted.places, weights, mixed)

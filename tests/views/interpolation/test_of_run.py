@@ -38,7 +38,7 @@ def test_a_huge_mesh_becomes_points_and_its_error_is_told(tmp_path, monkeypatch,
     caplog.set_level("INFO")
     monkeypatch.setattr(of_run, "MOST_TRIANGLES", 5)
     views = views_of_run(write_run(tmp_path))
-    assert isinstance(views._geometry, PositionsGeometry)
+    assert isinstance(views.geometry, PositionsGeometry)
     [said] = [record.message for record in caplog.records]
     assert "the mesh has 14 triangles, so its points in the views are carried along" in said
     assert "% of the pixels find none" in said

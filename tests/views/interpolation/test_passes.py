@@ -277,6 +277,15 @@ def test_points_land_where_they_are_seen_and_the_nearest_wins():
     np.testing.assert_allclose(inverse, nearest)
 
 
+def test_a_gap_between_four_points_is_filled_along_its_row():
+    found = np.array([[-1, 1, -1], [2, -1, 3], [-1, 4, -1]], np.int32)
+    inverse = np.where(found >= 0, 1 / (5.0 - found), 0)
+    filled, far = np.empty_like(found), np.empty_like(inverse)
+    passes.fill_holes(found, inverse, filled, far)
+    assert filled[1, 1] == 2
+    assert far[1, 1] == inverse[1, 0]
+
+
 def test_gaps_of_a_pixel_are_filled_from_the_farther_side():
     found = np.array([[0, -1, 1, -1, -1], [0, -1, -1, -1, 2], [0, 3, 1, -1, -1]], np.int32)
     inverse = np.where(found >= 0, 1 / (found + 2.0), 0)

@@ -62,8 +62,9 @@ def fill_holes(
 ) -> None:
     """Fill pixels on which nothing has landed, between others on both sides.
 
-    A surface that is seen from closer by leaves gaps. The farther one of the two counts: what
-    comes into view lies behind.
+    A surface that is seen from closer by leaves gaps. Neighbours on the left and on the right come
+    before those above and below. The farther one of the two counts: what comes into view lies
+    behind.
 
     Parameters
     ----------
@@ -81,6 +82,8 @@ def fill_holes(
                 continue
             for down, right in ((0, 1), (1, 0)):
                 if not (down <= y < height - down and right <= x < width - right):
+                    continue
+                if filled[y, x] >= 0:
                     continue
                 one_y, one_x, other_y, other_x = y - down, x - right, y + down, x + right
                 if found[one_y, one_x] < 0 or found[other_y, other_x] < 0:

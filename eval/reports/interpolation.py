@@ -1,0 +1,314 @@
+"""Measure views between those of a grid (Hauptfleisch 2020, 3.3): every mode along a path."""
+
+from itertools import pairwise
+from pathlib import Path
+from time import process_time
+
+import numpy as np
+import pandas as pd
+from tqdm import tqdm
+
+from eval.number import Number
+from eval.pages import options as shared
+from eval.pages.figures import comparison, contact_sheet
+from eval.pages.page import new_report, shown
+from eval.provenance import provenance
+from eval.view_paths import DARK, Truth, WithoutSilhouettes
+from stylit_ref import InputError
+from stylit_ref.views.interpolation.axis import Axis
+from stylit_ref.views.interpolation.grid import Grid
+from stylit_ref.views.interpolation.mesh_geometry import MeshGeometry
+from stylit_ref.views.interpolation.of_run import views_of_run
+from stylit_ref.views.interpolation.view_interpolator import MODES, ViewInterpolator
+from stylit_ref.views.run_folder import Run
+
+STEP = 0.25
+"""Degrees from frame to frame of a path."""
+
+THESIS = "limited, thesis' masks"
+
+NUMBERS = {
+    "change": Number("change", "{:.2f}"),
+    "switch": Number("at a switch", "{:.2f}"),
+    "ratio": Number("of the median of limited", "{:.2f}"),
+    "sharpness": Number("gradient", "{:.2f}"),
+    "least": Number("least of limited's", "{:.3f}"),
+    "outlines": Number("outlines", "{:.3f}"),
+    "of_views": Number("of the views", "{:.3f}"),
+    "ghosts": Number("ghosts", "{:.4f}"),
+    "error": Number("error", "{:.2f}"),
+    "cpu": Number("processor time [ms]", "{:.0f}"),
+}
+
+
+def add_options(parser):
+    """Declare what the report may be told."""
+    parser.add_argument(
+        "--run", required=True, type=Path, metavar="RUN",
+        help="what stylit-ref views --run wrote: at least 3x3 views, with a mesh",
+    )  # fmt: skip
+    parser.add_argument(
+        "--alone", type=Path, metavar="RUN", help="the same views, each stylized by itself"
+    )
+    parser.add_argument(
+        "--others", type=Path, nargs=1, action="extend", default=[], metavar="RUN",
+        help="the same with views at other distances; may be given more than once",
+    )  # fmt: skip
+    shared.add_output(parser, "interpolation")
+
+
+def main(options):
+    """Make the report; returns the exit code."""
+    folder = shared.folder_of(options, "interpolation")
+    views = _opened(options.run)
+    alone = _opened(options.alone) if options.alone else None
+    others = [_opened(run) for run in options.others]
+    with new_report(folder) as report:
+        report.page("Views between views", _sections(report, views, alone, others, options.run))
+    return shown(folder)
+
+
+def _opened(run):
+    views = views_of_run(run)
+    rows, columns = np.shape(views.grid.frames)
+    if min(rows, columns) < 3 or not isinstance(views.geometry, MeshGeometry):
+        raise InputError(f"{run}: is no grid of at least 3x3 views that holds a mesh")
+    return views
+
+
+def _sections(report, views, alone, others, run):
+    yield provenance()
+    yield _TEXT
+    yield "## Along a row of views"
+    rows = pd.DataFrame(_along_a_path(views, alone))
+    yield report.table("path", rows, _formatted(rows))
+    yield "## In the middle between four views"
+    rows = pd.DataFrame(_in_the_middle(views))
+    yield report.table("middle", rows, _formatted(rows))
+    yield "## The same path on coarser and finer grids"
+    rows = pd.DataFrame(row for each in (*others, views) for row in _at_distance(each))
+    rows = rows.sort_values(["mode", "degrees"])
+    yield report.table("distance", rows, _formatted(rows))
+    yield "## Left out"
+    yield _LEFT_OUT
+    rows = pd.DataFrame(row for each in (*others, views) for row in _left_out(each))
+    rows = rows.sort_values(["mode", "degrees"])
+    yield report.table("left_out", rows, _formatted(rows))
+    yield "## Figures"
+    place = _middle_of_cell(views.grid)
+    sheets = [(mode, views.picture(place, mode)) for mode in MODES]
+    yield report.figure(
+        "modes", "Figure 3.5: every mode in the middle between four views",
+        contact_sheet, [sheets[:3], sheets[3:]],
+    )  # fmt: skip
+    pair = [(f"{mode}", views.picture(place, mode)) for mode in ("nnf", "limited")]
+    yield report.figure(
+        "limited", "Figure 3.6: without and with the limited search",
+        comparison, [pair], (0.25, 0.3, 0.35, 0.35),
+    )  # fmt: skip
+    if alone:
+        sheets = [_at_switch(each, name) for each, name in ((views, "coherent"), (alone, "alone"))]
+        yield report.figure(
+            "coherence", "Figure 3.7: beside a switch, and where that changes more than 32",
+            contact_sheet, sheets,
+        )  # fmt: skip
+    frame = views.grid.frames[1][1]
+    stylized = Run(run).picture(frame)
+    between = _corners_of(views).picture(_place_of(views.grid, 1, 1), "limited")
+    yield report.figure(
+        "stylized", "Figure 3.8: stylized, and shown from views twice as far apart",
+        comparison, [[("stylized", stylized), ("between", between)]], (0.25, 0.3, 0.35, 0.35),
+    )  # fmt: skip
+
+
+def _along_a_path(views, alone):
+    """Every mode along the middle row."""
+    path = _path(views.grid)
+    jobs = [(views, mode, mode) for mode in MODES]
+    if alone:
+        jobs += [(alone, mode, f"{mode}, views stylized alone") for mode in ("limited", "fade")]
+    truth, base = Truth(views.geometry), None
+    switches = _steps_at_switches(views.grid, path)
+    jobs.sort(key=lambda job: job[2] != "limited")
+    for each, mode, name in tqdm(jobs, unit="path", disable=None):
+        pictures = [each.picture(place, mode) for place in path]
+        changes = _changes(truth, pictures, path)
+        looks = [truth.looks(*pair) for pair in zip(pictures, path, strict=True)]
+        sharpness = np.array([each.sharpness for each in looks])
+        base = base or (np.median(changes), sharpness)
+        worst = changes[switches].max()
+        yield {
+            "mode": name,
+            "change": np.median(changes),
+            "switch": worst,
+            "ratio": worst / base[0],
+            "sharpness": sharpness.mean(),
+            "least": (sharpness / base[1]).min(),
+            "cpu": _cpu(each, path, mode),
+        }
+
+
+def _in_the_middle(views):
+    """Outlines and ghosts in the middle of the cells around the middle view."""
+    truth = Truth(views.geometry)
+    places = [_middle_of_cell(views.grid, row, column) for row in (0, 1) for column in (0, 1)]
+    thesis = ViewInterpolator(
+        views.grid, WithoutSilhouettes(views.geometry), views.stylized, views.band
+    )
+    own = [
+        truth.looks(views.stylized.pictures[views.grid.frames[r][c]], _place_of(views.grid, r, c))
+        for r in range(3)
+        for c in range(3)
+    ]
+    yield {"mode": "the views themselves", **_mean(own)}
+    for each, mode, name in (
+        *((views, mode, mode) for mode in MODES), (thesis, "limited", THESIS),
+    ):  # fmt: skip
+        yield {
+            "mode": name,
+            **_mean([truth.looks(each.picture(place, mode), place) for place in places]),
+        }
+
+
+def _at_distance(views):
+    """Image shifting and the limited search along the middle of the middle row."""
+    truth, degrees = Truth(views.geometry), views.grid.columns.gaps[0]
+    reach = 2.5  # what the finest of our grids covers
+    path = [(x, 0.0) for x in np.arange(-reach, reach + STEP / 2, STEP).tolist()]
+    for mode in ("image", "nnf", "limited", "fade"):
+        pictures = [views.picture(place, mode) for place in path]
+        changes = _changes(truth, pictures, path)
+        looks = [truth.looks(*pair) for pair in zip(pictures, path, strict=True)]
+        yield {
+            "mode": mode,
+            "degrees": degrees,
+            "change": np.median(changes),
+            "switch": changes.max(),
+            **_mean(looks),
+        }
+
+
+def _left_out(views):
+    """The middle view, shown from the corners of the grid, beside what was stylized there."""
+    truth, coarse = Truth(views.geometry), _corners_of(views)
+    place, frame = _place_of(views.grid, 1, 1), views.grid.frames[1][1]
+    own = views.stylized.pictures[frame]
+    looks = truth.looks(own, place)
+    for mode in ("linear", "image", "blend", "nnf", "limited"):
+        picture = coarse.picture(place, mode)
+        found = truth.looks(picture, place)
+        yield {
+            "mode": mode,
+            "degrees": 2 * views.grid.columns.gaps[0],
+            "error": np.abs(picture.astype(int) - own).mean(),
+            "least": found.sharpness / looks.sharpness,
+            "outlines": found.outlines,
+            "of_views": looks.outlines,
+        }
+
+
+def _corners_of(views):
+    """The same views without those between the corners."""
+    grid = views.grid
+    columns, rows = (
+        Axis((axis.positions[0], axis.positions[2]), axis.unit)
+        for axis in (grid.columns, grid.rows)
+    )
+    frames = tuple(tuple(row[0:3:2]) for row in grid.frames[0:3:2])
+    return ViewInterpolator(Grid(columns, rows, frames), views.geometry, views.stylized, views.band)
+
+
+def _at_switch(views, name):
+    """Pictures before and after a switch, and where they differ much."""
+    across = views.grid.columns
+    middle = (across.positions[0] + across.positions[1]) / 2 - across.middle
+    one, other = (views.picture((middle + side * 1e-6, 0.0), "limited") for side in (-1, 1))
+    differs = np.abs(one.astype(int) - other).max(axis=2) > 32
+    marked = np.where(differs[..., None], np.uint8([220, 0, 0]), other)
+    return [(f"{name}, before", one), ("after", other), ("changed", marked)]
+
+
+def _path(grid):
+    """From the first to the last view of the middle row."""
+    low, high = grid.columns.reach
+    y = grid.rows.positions[1] - grid.rows.middle
+    return [(x, y) for x in np.arange(low, high + STEP / 2, STEP).clip(low, high).tolist()]
+
+
+def _steps_at_switches(grid, path):
+    """The steps that lie within a fifth of a cell of the middle between two views."""
+    found = []
+    for step, (here, there) in enumerate(pairwise(path)):
+        between = grid.columns.around((here[0] + there[0]) / 2)
+        middle = (between.low_at + between.high_at) / 2
+        if abs(between.at - middle) <= 0.2 * (between.high_at - between.low_at):
+            found.append(step)
+    return found
+
+
+def _changes(truth, pictures, path):
+    return np.array([
+        truth.change(*pair, *places)
+        for pair, places in zip(
+            pairwise(pictures), pairwise(path),
+            strict=True,
+        )
+    ])  # fmt: skip
+
+
+def _cpu(views, path, mode):
+    """The median over a path of the processor time of a picture, in ms."""
+    spent = []
+    for place in path[::4]:
+        start = process_time()
+        views.picture(place, mode)
+        spent.append(process_time() - start)
+    return 1000 * np.median(spent)
+
+
+def _middle_of_cell(grid, row=0, column=0):
+    return tuple(
+        (axis.positions[k] + axis.positions[k + 1]) / 2 - axis.middle
+        for axis, k in ((grid.columns, column), (grid.rows, row))
+    )
+
+
+def _place_of(grid, row, column):
+    return (
+        grid.columns.positions[column] - grid.columns.middle,
+        grid.rows.positions[row] - grid.rows.middle,
+    )
+
+
+def _mean(looks):
+    return {
+        name: np.mean([getattr(each, name) for each in looks])
+        for name in ("sharpness", "outlines", "ghosts")
+    }
+
+
+def _formatted(rows):
+    text = rows.copy()
+    for name, number in NUMBERS.items():
+        if name in text:
+            text[name] = text[name].map(number.form.format)
+            text = text.rename(columns={name: number.title})
+    return text
+
+
+_TEXT = f"""\
+Every mode of `stylit-ref view`, on a finished grid of views.
+
+- **change**: the mean difference of points that two neighbouring frames of a path show, along the
+  motion that the mesh tells, in 8-bit steps; the median of all steps, {STEP:g} degrees each
+- **at a switch**: the largest within a fifth of the way around the middle between two views
+- **gradient**: the mean gradient of luma, down plus across; **least of limited's**: the least
+  share of what `limited` has at the same place, over all steps
+- **outlines**: the share of pixels that are dark (luma below {DARK}) in a band beside what stands
+  on the ground; **ghosts**: their share on the ground farther away
+- **processor time**: of a picture on the machine above, the median over the path"""
+
+_LEFT_OUT = """\
+The view in the middle of 3x3 is shown from the four corners alone, and compared with what was
+stylized there. **error**: the mean absolute difference in 8-bit steps; **least of limited's** is
+here the share of that view's own gradient, and **of the views** are its own outlines."""
