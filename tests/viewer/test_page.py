@@ -15,6 +15,11 @@ AXE = Path(__file__).parents[2] / "stylit_ref/viewer/node_modules/axe-core/axe.m
 NO_WEBGL = """HTMLCanvasElement.prototype.getContext = ((get) => function (kind, ...rest) {
   return kind === "webgl2" ? null : get.call(this, kind, ...rest);
 })(HTMLCanvasElement.prototype.getContext);"""
+NOISE = """CanvasRenderingContext2D.prototype.getImageData = ((get) => function (...where) {
+  const image = get.apply(this, where);
+  image.data[0] ^= 1;
+  return image;
+})(CanvasRenderingContext2D.prototype.getImageData);"""
 NO_CANVAS = "HTMLCanvasElement.prototype.getContext = () => null;"
 
 
@@ -142,6 +147,15 @@ def test_javascript_draws_where_there_is_no_webgl(open_page, page_file):
     assert engine_of(page.rested()) == "script"
     (picture,) = page.draws((0.5, 1.0), "limited", "frame0")
     assert picture.std() > 10
+
+
+def test_noise_that_hides_a_user_does_not_damage_a_page(open_page, page_file):
+    page = open_page(page_file)
+    page.page.add_init_script(NOISE)
+    page.page.reload()
+    clean = open_page(page_file)
+    shown = [each.started().draws((0.5, 1.0), "limited", "frame0")[0] for each in (page, clean)]
+    assert np.array_equal(*shown)
 
 
 def test_a_sentence_where_nothing_can_draw(open_page, page_file):

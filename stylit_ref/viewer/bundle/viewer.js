@@ -69,6 +69,31 @@
     return [right / clientWidth, up / clientHeight];
   }
 
+  // src/bitmaps.ts
+  var READERS = [byCanvas, byTexture];
+  function byCanvas(bitmap) {
+    const { width, height } = bitmap;
+    const canvas = Object.assign(document.createElement("canvas"), { width, height });
+    const context = canvas.getContext("2d", { willReadFrequently: true, colorSpace: "srgb" });
+    if (!context) return null;
+    context.drawImage(bitmap, 0, 0);
+    return context.getImageData(0, 0, width, height).data;
+  }
+  function byTexture(bitmap) {
+    const gl = document.createElement("canvas").getContext("webgl2");
+    if (!gl) return null;
+    const { width, height } = bitmap;
+    const pixels = new Uint8Array(4 * width * height);
+    gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8UI, gl.RGBA_INTEGER, gl.UNSIGNED_BYTE, bitmap);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
+    const texture = gl.getParameter(gl.TEXTURE_BINDING_2D);
+    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
+    gl.readPixels(0, 0, width, height, gl.RGBA_INTEGER, gl.UNSIGNED_BYTE, pixels);
+    gl.getExtension("WEBGL_lose_context")?.loseContext();
+    return pixels;
+  }
+
   // src/page_data.ts
   var FORMAT = 1;
   var PageError = class extends Error {
@@ -88,19 +113,17 @@
   }
 
   // src/decode.ts
-  async function decode(piece, source, readBitmap2) {
+  async function decode(piece, source) {
+    if (typeof DecompressionStream === "undefined" || typeof createImageBitmap === "undefined")
+      throw new PageError("This browser is too old for the page. Open it in a current one.");
     const text = await source(piece.name);
-    let bytes;
     try {
       const packed = fromBase64(text);
-      bytes = piece.coding === "webp" ? await ofWebp(packed, readBitmap2) : await inflate(packed);
-    } catch (error) {
-      if (error instanceof ReferenceError || error instanceof TypeError && typeof DecompressionStream === "undefined")
-        throw new PageError("This browser is too old for the page. Open it in a current one.");
-      throw damaged(piece);
+      const attempts = piece.coding === "webp" ? ofWebp(packed) : [inflate(packed)];
+      for await (const bytes of attempts) if (bytes.length === piece.bytes && crc32(bytes) === piece.sum) return bytes;
+    } catch {
     }
-    if (bytes.length !== piece.bytes || crc32(bytes) !== piece.sum) throw damaged(piece);
-    return bytes;
+    throw damaged(piece);
   }
   function damaged(piece) {
     return new PageError(`This page is damaged: ${piece.name} does not hold what was exported. Ask for it again.`);
@@ -115,11 +138,15 @@
     const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
     return new Uint8Array(await new Response(stream).arrayBuffer());
   }
-  async function ofWebp(packed, readBitmap2) {
+  async function* ofWebp(packed) {
     const blob = new Blob([packed], { type: "image/webp" });
     const bitmap = await createImageBitmap(blob, { premultiplyAlpha: "none", colorSpaceConversion: "none" });
-    const pixels = readBitmap2(bitmap);
-    bitmap.close();
+    for (const read of READERS) {
+      const pixels = read(bitmap);
+      if (pixels) yield withoutAlpha(pixels);
+    }
+  }
+  function withoutAlpha(pixels) {
     const bytes = new Uint8Array(pixels.length / 4 * 3);
     for (let from = 0, to = 0; from < pixels.length; from += 4, to += 3) {
       bytes[to] = pixels[from];
@@ -1630,14 +1657,6 @@ void main() {
     gl.getExtension("WEBGL_lose_context")?.loseContext();
     return !EMULATED.test(name);
   }
-  function readBitmap(bitmap) {
-    const { width, height } = bitmap;
-    const canvas = Object.assign(document.createElement("canvas"), { width, height });
-    const context = canvas.getContext("2d", { willReadFrequently: true, colorSpace: "srgb" });
-    if (!context) throw new PageError("This browser cannot read the drawing. Open the page in another one.");
-    context.drawImage(bitmap, 0, 0);
-    return context.getImageData(0, 0, width, height).data;
-  }
 
   // src/mesh.ts
   function meshOf(data, bytes) {
@@ -1853,17 +1872,15 @@ void main() {
   var Store = class {
     data;
     source;
-    readBitmap;
     pixels = /* @__PURE__ */ new Map();
     /** By view; the one that was needed last stands last. */
     slots = /* @__PURE__ */ new Map();
     coming = /* @__PURE__ */ new Map();
     wanted = [];
     engine = null;
-    constructor(data, source, readBitmap2) {
+    constructor(data, source) {
       this.data = data;
       this.source = source;
-      this.readBitmap = readBitmap2;
     }
     /** Hand all views to an engine, now and as they come. */
     attach(engine) {
@@ -1911,7 +1928,7 @@ void main() {
     async decoded(view) {
       const { nnf, picture, points, camera } = this.data.views[view];
       const { width, height } = this.data;
-      const bytes = (piece) => piece && decode(piece, this.source, this.readBitmap);
+      const bytes = (piece) => piece && decode(piece, this.source);
       const [field, colours, planes] = await Promise.all([bytes(nnf), bytes(picture), bytes(points)]);
       return {
         field: nnf && field && fieldOf(nnf, field, width, height),
@@ -2100,7 +2117,7 @@ void main() {
     const isPossible = (mode2) => (hasFields || !needsFields(mode2)) && (hasModel || !needsModel(mode2));
     const best = ["fade", "image", "linear"].find(isPossible);
     const mode = parameters.mode && isPossible(parameters.mode) ? parameters.mode : best;
-    const store = new Store(data, source, readBitmap);
+    const store = new Store(data, source);
     const fail = (error) => panel.say(sentence(error));
     const viewer = new Viewer(data, grid, store, parameters.view ?? MIDDLE, mode, parameters.motion, {
       rests: (place) => panel.tellView(placeText(place, data)),
@@ -2123,7 +2140,7 @@ void main() {
   var hasPoints = (data) => data.views.every((view) => view.points !== null);
   async function readStage(data, source) {
     const { width, height, patchRadius, reach, style, mesh } = data;
-    const bytes = (piece) => piece && decode(piece.piece, source, readBitmap);
+    const bytes = (piece) => piece && decode(piece.piece, source);
     const [colours, triangles] = await Promise.all([bytes(style), bytes(mesh)]);
     return {
       width,
@@ -2140,7 +2157,7 @@ void main() {
     let canvas = panel.canvas;
     if (data.still && data.style && needsFields(viewer.mode)) {
       const { scale, piece } = data.still;
-      const rgba = toRgba(await decode(piece, source, readBitmap));
+      const rgba = toRgba(await decode(piece, source));
       const field = engine.read(viewer.mode === "nnf" ? "shifted" : "searched");
       const style = { scale, width: scale * data.style.width, rgba };
       const image = replay(field, stage.width, stage.height, stage.patchRadius, style);

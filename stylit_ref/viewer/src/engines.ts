@@ -1,4 +1,4 @@
-// Which engine draws, and how bitmaps are read for it.
+// Which engine draws.
 
 import type { Engine, Stage } from "./engine.js";
 import type { Parameters } from "./parameters.js";
@@ -55,14 +55,4 @@ function hasProcessor(longest: number): boolean {
   const name = String(gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
   gl.getExtension("WEBGL_lose_context")?.loseContext();
   return !EMULATED.test(name);
-}
-
-/** Pixels of a bitmap by a canvas of its own; what it may have changed shows in the sum of the bytes. */
-export function readBitmap(bitmap: ImageBitmap): Uint8ClampedArray {
-  const { width, height } = bitmap;
-  const canvas = Object.assign(document.createElement("canvas"), { width, height });
-  const context = canvas.getContext("2d", { willReadFrequently: true, colorSpace: "srgb" });
-  if (!context) throw new PageError("This browser cannot read the drawing. Open the page in another one.");
-  context.drawImage(bitmap, 0, 0);
-  return context.getImageData(0, 0, width, height).data;
 }

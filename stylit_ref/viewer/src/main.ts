@@ -3,7 +3,7 @@
 import { control } from "./controls.js";
 import { decode } from "./decode.js";
 import type { Stage } from "./engine.js";
-import { Engines, readBitmap } from "./engines.js";
+import { Engines } from "./engines.js";
 import { Grid, type Place } from "./grid.js";
 import { meshOf } from "./mesh.js";
 import { needsFields, needsModel, type Mode } from "./modes.js";
@@ -38,7 +38,7 @@ async function start(panel: Panel): Promise<void> {
   const best = (["fade", "image", "linear"] as const).find(isPossible) as Mode;
   const mode = parameters.mode && isPossible(parameters.mode) ? parameters.mode : best;
 
-  const store = new Store(data, source, readBitmap);
+  const store = new Store(data, source);
   const fail = (error: unknown) => panel.say(sentence(error));
   const viewer = new Viewer(data, grid, store, parameters.view ?? MIDDLE, mode, parameters.motion, {
     rests: (place) => panel.tellView(placeText(place, data)),
@@ -64,7 +64,7 @@ const hasPoints = (data: PageData): boolean => data.views.every((view) => view.p
 
 async function readStage(data: PageData, source: Source): Promise<Stage> {
   const { width, height, patchRadius, reach, style, mesh } = data;
-  const bytes = (piece: { piece: Parameters<typeof decode>[0] } | null) => piece && decode(piece.piece, source, readBitmap);
+  const bytes = (piece: { piece: Parameters<typeof decode>[0] } | null) => piece && decode(piece.piece, source);
   const [colours, triangles] = await Promise.all([bytes(style), bytes(mesh)]);
   return {
     width,
@@ -83,7 +83,7 @@ async function save(panel: Panel, viewer: Viewer, data: PageData, stage: Stage, 
   let canvas = panel.canvas;
   if (data.still && data.style && needsFields(viewer.mode)) {
     const { scale, piece } = data.still;
-    const rgba = toRgba(await decode(piece, source, readBitmap));
+    const rgba = toRgba(await decode(piece, source));
     const field = engine.read(viewer.mode === "nnf" ? "shifted" : "searched") as Uint16Array;
     const style = { scale, width: scale * data.style.width, rgba };
     const image = replay(field, stage.width, stage.height, stage.patchRadius, style);

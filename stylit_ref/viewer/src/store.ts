@@ -2,7 +2,7 @@
 // needed for longest gives way.
 
 import { lensOf } from "./camera.js";
-import { decode, type ReadBitmap } from "./decode.js";
+import { decode } from "./decode.js";
 import { SLOTS, type Engine, type ViewPixels } from "./engine.js";
 import { fieldOf } from "./fields.js";
 import type { PageData } from "./page_data.js";
@@ -13,7 +13,6 @@ import type { Source } from "./source.js";
 export class Store {
   private readonly data: PageData;
   private readonly source: Source;
-  private readonly readBitmap: ReadBitmap;
   private readonly pixels = new Map<number, ViewPixels>();
   /** By view; the one that was needed last stands last. */
   private readonly slots = new Map<number, number>();
@@ -21,10 +20,9 @@ export class Store {
   private wanted: readonly number[] = [];
   private engine: Engine | null = null;
 
-  constructor(data: PageData, source: Source, readBitmap: ReadBitmap) {
+  constructor(data: PageData, source: Source) {
     this.data = data;
     this.source = source;
-    this.readBitmap = readBitmap;
   }
 
   /** Hand all views to an engine, now and as they come. */
@@ -81,7 +79,7 @@ export class Store {
   private async decoded(view: number): Promise<ViewPixels> {
     const { nnf, picture, points, camera } = this.data.views[view];
     const { width, height } = this.data;
-    const bytes = (piece: typeof nnf) => piece && decode(piece, this.source, this.readBitmap);
+    const bytes = (piece: typeof nnf) => piece && decode(piece, this.source);
     const [field, colours, planes] = await Promise.all([bytes(nnf), bytes(picture), bytes(points)]);
     return {
       field: nnf && field && fieldOf(nnf, field, width, height),
