@@ -12,6 +12,7 @@ from eval.number import Number
 from eval.pages import options as shared
 from eval.pages.figures import comparison, contact_sheet
 from eval.pages.page import new_report, shown
+from eval.pages.tables import table
 from eval.provenance import provenance
 from eval.view_paths import DARK, Truth, WithoutSilhouettes
 from stylit_ref import InputError
@@ -33,6 +34,7 @@ NUMBERS = {
     "ratio": Number("of the median of limited", "{:.2f}"),
     "sharpness": Number("gradient", "{:.2f}"),
     "least": Number("least of limited's", "{:.3f}"),
+    "kept": Number("of its gradient", "{:.3f}"),
     "outlines": Number("outlines", "{:.3f}"),
     "of_views": Number("of the views", "{:.3f}"),
     "ghosts": Number("ghosts", "{:.4f}"),
@@ -80,11 +82,13 @@ def _sections(report, views, alone, others, run):
     yield provenance()
     yield _TEXT
     yield "## Along a row of views"
-    rows = pd.DataFrame(_along_a_path(views, alone))
-    yield report.table("path", rows, _formatted(rows))
+    path = pd.DataFrame(_along_a_path(views, alone))
+    yield report.table("path", path, _formatted(path))
     yield "## In the middle between four views"
-    rows = pd.DataFrame(_in_the_middle(views))
-    yield report.table("middle", rows, _formatted(rows))
+    middle = pd.DataFrame(_in_the_middle(views))
+    yield report.table("middle", middle, _formatted(middle))
+    yield "## Goals"
+    yield table(pd.DataFrame(_goals(path.set_index("mode"), middle.set_index("mode"))))
     yield "## The same path on coarser and finer grids"
     rows = pd.DataFrame(row for each in (*others, views) for row in _at_distance(each))
     rows = rows.sort_values(["mode", "degrees"])
@@ -99,18 +103,18 @@ def _sections(report, views, alone, others, run):
     sheets = [(mode, views.picture(place, mode)) for mode in MODES]
     yield report.figure(
         "modes", "Figure 3.5: every mode in the middle between four views",
-        contact_sheet, [sheets[:3], sheets[3:]],
+        contact_sheet, [sheets[:3], sheets[3:]], committed=True,
     )  # fmt: skip
-    pair = [(f"{mode}", views.picture(place, mode)) for mode in ("nnf", "limited")]
+    pair = [(mode, views.picture(place, mode)) for mode in ("nnf", "limited")]
     yield report.figure(
         "limited", "Figure 3.6: without and with the limited search",
-        comparison, [pair], (0.25, 0.3, 0.35, 0.35),
+        comparison, [pair], (0.25, 0.3, 0.35, 0.35), committed=True,
     )  # fmt: skip
     if alone:
         sheets = [_at_switch(each, name) for each, name in ((views, "coherent"), (alone, "alone"))]
         yield report.figure(
             "coherence", "Figure 3.7: beside a switch, and where that changes more than 32",
-            contact_sheet, sheets,
+            contact_sheet, sheets, committed=True,
         )  # fmt: skip
     frame = views.grid.frames[1][1]
     stylized = Run(run).picture(frame)
@@ -118,7 +122,24 @@ def _sections(report, views, alone, others, run):
     yield report.figure(
         "stylized", "Figure 3.8: stylized, and shown from views twice as far apart",
         comparison, [[("stylized", stylized), ("between", between)]], (0.25, 0.3, 0.35, 0.35),
+        committed=True,
     )  # fmt: skip
+
+
+def _goals(path, middle):
+    """What is asked of a fade and of outlines, and whether it holds."""
+    outlines = middle["outlines"] / middle.loc["the views themselves", "outlines"]
+    for goal, most, found, holds in (
+        ("change at a switch of a fade, of limited's median", "at most 1.2",
+         path.loc["fade", "ratio"], path.loc["fade", "ratio"] <= 1.2),
+        ("least sharpness of a fade, of limited's", "at least 0.92",
+         path.loc["fade", "least"], path.loc["fade", "least"] >= 0.92),
+        ("outlines in the middle, of those of the views", "at least 0.52",
+         outlines["limited"], outlines["limited"] >= 0.15 / 0.29),
+        ("the same with the thesis' masks", "", outlines[THESIS], None),
+    ):  # fmt: skip
+        verdict = "" if holds is None else "holds" if holds else "does not hold"
+        yield {"goal": goal, "asked": most, "found": f"{found:.3f}", "": verdict}
 
 
 def _along_a_path(views, alone):
@@ -201,7 +222,7 @@ def _left_out(views):
             "mode": mode,
             "degrees": 2 * views.grid.columns.gaps[0],
             "error": np.abs(picture.astype(int) - own).mean(),
-            "least": found.sharpness / looks.sharpness,
+            "kept": found.sharpness / looks.sharpness,
             "outlines": found.outlines,
             "of_views": looks.outlines,
         }
@@ -310,5 +331,5 @@ Every mode of `stylit-ref view`, on a finished grid of views.
 
 _LEFT_OUT = """\
 The view in the middle of 3x3 is shown from the four corners alone, and compared with what was
-stylized there. **error**: the mean absolute difference in 8-bit steps; **least of limited's** is
-here the share of that view's own gradient, and **of the views** are its own outlines."""
+stylized there. **error**: the mean absolute difference in 8-bit steps; **of its gradient**: the
+share of that view's own; **of the views**: its own outlines."""
