@@ -60,10 +60,10 @@ def field(random, size=SIZE, style_size=STYLE_SIZE, radius=2):
     return (nnf % (np.array(style_size) - 2 * radius) + radius).astype(np.int32)
 
 
-def small_views(rows=2, columns=2, size=SIZE, style_size=STYLE_SIZE, seed=0):
-    """Views as a page is made of them."""
-    random = np.random.default_rng(seed)
-    orbit = orbit_of(cameras(rows, columns), rows, columns)
+def small_views(rows=2, columns=2, size=SIZE, style_size=STYLE_SIZE, seen_by=None):
+    """Views as a page is made of them; ``seen_by`` are other cameras, row by row."""
+    random = np.random.default_rng(0)
+    orbit = orbit_of(seen_by or cameras(rows, columns), rows, columns)
     painting = style(random, style_size)
     fields = [field(random, size, style_size) for _ in range(rows * columns)]
     return GridViews(orbit.grid, size, painting, 5, fields.__getitem__, orbit, mesh())

@@ -1,6 +1,7 @@
 """Pages in Debian's Chromium. Where it or Playwright is missing, the tests say so and skip."""
 
 import shutil
+from contextlib import contextmanager
 
 import pytest
 from browser_page import BrowserPage
@@ -32,8 +33,8 @@ def chromium():
         browser.close()
 
 
-@pytest.fixture
-def open_page(chromium):
+@contextmanager
+def opening(chromium):
     """Opens pages from the disk; a page that complains, or asks a network, fails the test."""
     contexts, complaints = [], []
 
@@ -51,6 +52,20 @@ def open_page(chromium):
     for context in contexts:
         context.close()
     assert complaints == []
+
+
+@pytest.fixture
+def open_page(chromium):
+    """Opens pages of a test."""
+    with opening(chromium) as opened:
+        yield opened
+
+
+@pytest.fixture(scope="module")
+def open_shared_page(chromium):
+    """Opens pages that the tests of a module share."""
+    with opening(chromium) as opened:
+        yield opened
 
 
 def _is_far(url):

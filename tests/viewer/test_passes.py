@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from small_views import SIZE, small_views
+from small_views import SIZE, cameras, small_views
 
 from stylit_ref.realtime.formulae.packed_nnf import entries_of, places_of
 from stylit_ref.viewer.contents import make_contents
@@ -33,13 +33,18 @@ def painting(views):
     return make_style(views.style, views.patch_width)
 
 
-@pytest.fixture(scope="module")
-def reference(views, painting):
-    nnfs = np.stack([entries_of(views.view(frame)) for frame in range(4)])
+def reference_of(views, painting):
+    frames = range(np.size(views.grid.frames))
+    nnfs = np.stack([entries_of(views.view(frame)) for frame in frames])
     pictures = np.stack([pixels_of(vote(painting, nnf), 3) for nnf in nnfs])
     geometry = MeshGeometry(views.mesh, views.orbit, SIZE)
     stylized = Stylized(views.style, views.patch_width, nnfs, pictures)
     return ViewInterpolator(views.grid, geometry, stylized, BAND)
+
+
+@pytest.fixture(scope="module")
+def reference(views, painting):
+    return reference_of(views, painting)
 
 
 @pytest.fixture(scope="module", params=ENGINES)
@@ -47,9 +52,9 @@ def engine(request):
     return request.param
 
 
-@pytest.fixture
-def page(engine, open_page, page_file):
-    return open_page(page_file, f"?engine={engine}").started()
+@pytest.fixture(scope="module")
+def page(engine, open_shared_page, page_file):
+    return open_shared_page(page_file, f"?engine={engine}").started()
 
 
 def places_in_views(page, engine, place):
@@ -115,6 +120,54 @@ def test_pictures_are_mixed_as_in_the_reference(page, reference, mode):
     (picture,) = page.draws(place, mode, "mixed")
     differ = (picture[..., :3] != reference.picture(place, mode)).any(axis=2)
     assert differ.mean() <= (0 if mode == "linear" else 0.002)
+
+
+def odd_cameras():
+    """Each with a lens, a tilt and a distance of its own; they do not turn around one point."""
+    return [
+        replace(
+            camera,
+            origin=tuple(np.multiply(camera.origin, 1 + 0.04 * k).tolist()),
+            target=(0.1 * k, 0.05, -0.1 * k),
+            field_of_view=26.0 + k,
+            up=(0.03 * k, 1.0, 0.02),
+            shift=(0.02 * k, -0.03),
+            pixel_aspect=1.0 + 0.05 * k,
+        )
+        for k, camera in enumerate(cameras(2, 2))
+    ]
+
+
+def row_of_cameras():
+    """A row, in which the views are not equally far apart."""
+    return [cameras(1, 1, apart=0)[0], *cameras(1, 3, apart=7)[1:]]
+
+
+def ring_of_cameras():
+    return cameras(1, 9, apart=40)
+
+
+@pytest.mark.parametrize(
+    ("seen_by", "rows", "columns", "place"),
+    [
+        (odd_cameras(), 2, 2, (0.75, -1.0)),
+        (row_of_cameras(), 1, 3, (2.0, 0.0)),
+        (ring_of_cameras(), 1, 9, (345.0, 0.0)),
+    ],
+    ids=["odd", "row", "ring"],
+)
+def test_any_cameras(engine, open_page, tmp_path, painting, seen_by, rows, columns, place):
+    views = small_views(rows, columns, seen_by=seen_by)
+    reference = reference_of(views, painting)
+    file = tmp_path / "page.html"
+    contents = make_contents(views, title="Any cameras", band=BAND)
+    file.write_text(page_text(contents), encoding="utf-8")
+    page = open_page(file, f"?engine={engine}").started()
+    found = places_in_views(page, engine, place)
+    expected = reference.shift(place).places
+    assert np.mean((found[: len(expected)] != expected).any(axis=0)) <= 0.002
+    (mixed,) = page.draws(place, "linear", "mixed")
+    assert np.array_equal(mixed[..., :3], reference.picture(place, "linear"))
 
 
 def test_points_serve_in_place_of_a_mesh(engine, views, painting, open_page, tmp_path):
