@@ -13,7 +13,7 @@ ARGS ?=
 WORKERS ?= 2
 PYTHONS ?= 3.11 3.12 3.13 3.14
 
-.PHONY: eval reports schedules epsilon stylit spilling levels bench scenes test test-fast test-gpu ptx docs wheel lowest lint data blender help clean
+.PHONY: eval reports schedules epsilon stylit spilling levels bench scenes test test-fast test-gpu ptx docs wheel lowest lint viewer viewer-bundle data blender help clean
 
 eval: $(VENV)/$(if $(SCHEDULER),cluster,eval).installed ## make the report on the thesis: PRESET=quick or thesis, SCHEDULER=ADDRESS, ARGS="--scene DIR"; DOCUMENT=lasram: on texture synthesis, heidrich: on real time
 	$(BIN)/python -m eval $(or $(DOCUMENT),dzurenko) $(if $(PRESET),--preset "$(PRESET)") $(if $(SCHEDULER),--scheduler "$(SCHEDULER)") $(ARGS)
@@ -87,6 +87,31 @@ lint: $(VENV)/lint.installed ## ruff, import contracts, and whether every public
 	$(BIN)/ruff format --check .
 	$(BIN)/lint-imports
 	PATH="$(abspath $(BIN)):$$PATH" pyright --verifytypes stylit_ref --ignoreexternal
+	$(MAKE) viewer-check
+
+HOUSE := build/data/600x456
+viewer: $(VENV)/render.installed ## make the example page of the viewer, the house: build/viewer/house.html
+	$(BIN)/python -m data_gen --size 600x456 --scenes house_5
+	$(BIN)/stylit-ref views --preset fast --manifest $(HOUSE)/manifests/house/views.json --run build/viewer/run --output 'build/viewer/{view}.png'
+	$(BIN)/stylit-ref viewer build/viewer/run --title "A sketched house" --output build/viewer/house.html
+
+VIEWER := stylit_ref/viewer
+BUNDLE = cd $(VIEWER) && npm run --silent check && npm run --silent bundle -- --log-level=warning --outfile=
+
+viewer-bundle: $(VIEWER)/node_modules/.package-lock.json ## build the program of the viewer's page from its TypeScript; needs Node.js
+	$(BUNDLE)bundle/viewer.js
+
+viewer-check: # the committed program is that of its sources
+	@if command -v npm >/dev/null; then $(MAKE) viewer-compare; else echo "no npm here: the viewer's program is not compared with its sources"; fi
+
+viewer-compare: $(VIEWER)/node_modules/.package-lock.json
+	mkdir -p build
+	$(BUNDLE)../../build/viewer.js
+	cmp build/viewer.js $(VIEWER)/bundle/viewer.js || { echo "run make viewer-bundle, and commit what it builds"; exit 1; }
+
+$(VIEWER)/node_modules/.package-lock.json: $(VIEWER)/package-lock.json
+	cd $(VIEWER) && npm ci --no-audit --no-fund --silent
+	touch $@
 
 docs: $(VENV)/docs.installed ## build the site, build/site/index.html: docs, notebooks, API, reports
 	$(BIN)/sphinx-build -W --keep-going --quiet -c docs . build/site

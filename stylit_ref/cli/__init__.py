@@ -22,6 +22,7 @@ from stylit_ref.cli import (
     sequence,
     texture,
     view,
+    viewer,
     views,
     warm_up,
 )
@@ -47,6 +48,7 @@ COMMANDS = (
     sequence,
     views,
     view,
+    viewer,
     replay,
     texture,
     edit_texture,

@@ -214,6 +214,7 @@ PREPARED = {
     "docs/how_to/render_farm.md": (passes_of_blender, shot_of_blender, rule_of_guides),
     "docs/how_to/from_ebsynth.md": (images_of_ebsynth,),
     "docs/how_to/views_between.md": (run_of_a_box,),
+    "docs/how_to/viewer.md": (run_of_a_box,),
 }
 
 

@@ -1,0 +1,89 @@
+"""Write a page: one file, or a folder whose views are loaded as they are needed."""
+
+import base64
+import json
+from collections.abc import Mapping
+from dataclasses import replace
+from html import escape
+from importlib.resources import files
+from pathlib import Path
+from string import Template
+
+from stylit_ref.files.disk.whole_file import write_text
+from stylit_ref.viewer.contents import Contents
+from stylit_ref.viewer.pieces import Piece
+
+FOLDER = "data"
+"""Where the pieces of a page lie that is a folder."""
+
+PROGRAM, STYLE_SHEET, PAGE = "bundle/viewer.js", "page.css", "page.html"
+
+
+def page_text(contents: Contents) -> str:
+    """The page as one file.
+
+    Parameters
+    ----------
+    contents : Contents
+
+    Returns
+    -------
+    str
+        HTML, which needs no other file and no network.
+    """
+    pieces = "".join(
+        f'<script type="text/plain" id="{piece.name}">{_base64(piece)}</script>\n'
+        for piece in contents.pieces
+    )
+    return _page(contents, f"<script>\n{_part(PROGRAM)}</script>", pieces)
+
+
+def folder_texts(contents: Contents) -> Mapping[str, str]:
+    """The page as a folder: its files by their names.
+
+    Parameters
+    ----------
+    contents : Contents
+
+    Returns
+    -------
+    mapping of str to str
+        ``index.html``, its program, and a script for each piece: browsers load no other files
+        from the disk.
+    """
+    contents = replace(contents, facts=contents.facts | {"folder": FOLDER})
+    page = _page(contents, '<script src="viewer.js"></script>', "")
+    scripts = {
+        f"{FOLDER}/{piece.name}.js": f'stylitPiece("{piece.name}", "{_base64(piece)}");\n'
+        for piece in contents.pieces
+    }
+    return {"index.html": page, "viewer.js": _part(PROGRAM), **scripts}
+
+
+def write_folder(folder: str | Path, texts: Mapping[str, str]) -> None:
+    """Write the files of a page, ``index.html`` last.
+
+    Raises
+    ------
+    InputError
+        If one cannot be written.
+    """
+    for name in sorted(texts, key=lambda name: name == "index.html"):
+        write_text(Path(folder) / name, texts[name])
+
+
+def _page(contents, script, pieces):
+    # Within a script a tag would end it.
+    data = json.dumps(contents.facts, allow_nan=False).replace("<", "\\u003c")
+    title = escape(contents.facts["title"])
+    return Template(_part(PAGE)).substitute(
+        title=title, css=_part(STYLE_SHEET), script=script, data=data, pieces=pieces
+    )
+
+
+def _part(name):
+    return files("stylit_ref.viewer").joinpath(name).read_text(encoding="utf-8")
+
+
+def _base64(piece: Piece):
+    return base64.b64encode(piece.packed).decode()

@@ -1,0 +1,175 @@
+"""``stylit-ref viewer``: what it writes, what it says, what it refuses."""
+
+import json
+import re
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pytest
+from cli.calls import refused
+from small_run import SIZE, camera_at, facts_of, write_run
+
+from stylit_ref import write_image
+from stylit_ref.cli import main, viewer
+from stylit_ref.views.run_folder import Run
+
+
+@pytest.fixture(scope="module")
+def run(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("my secret place") / "run"
+    write_run(folder)
+    return folder
+
+
+def table_of(page):
+    """A page's table of contents."""
+    text = page.read_text(encoding="utf-8")
+    return json.loads(re.search(r'id="stylit-data">(.*?)</script>', text, re.DOTALL)[1])
+
+
+def test_one_file_holds_everything(run, tmp_path, capsys):
+    page = tmp_path / "page.html"
+    assert main(["viewer", str(run), "--output", str(page), "--title", "A <box>"]) == 0
+    assert re.search(r"wrote 0\.\d MB, 6 views", capsys.readouterr().err)
+    table = table_of(page)
+    assert (table["title"], table["width"], table["height"]) == ("A <box>", SIZE[1], SIZE[0])
+    assert table["columns"]["positions"] == pytest.approx([-10, 0, 12])
+    assert table["columns"]["isRing"] is False
+    assert len(table["views"]) == 6
+    assert all(view["nnf"]["coding"] == "webp" for view in table["views"])
+    text = page.read_text(encoding="utf-8")
+    assert "<title>A &lt;box&gt;</title>" in text
+    assert not re.search(r'(src|href)="', text)
+
+
+def test_nothing_of_the_disk_is_in_a_page(run, tmp_path):
+    page = tmp_path / "page.html"
+    main(["viewer", str(run), "--output", str(page), "--quiet"])
+    text = page.read_text(encoding="utf-8")
+    for name in ("secret", str(tmp_path), run.name + "/", "digests", *Run(run).facts["digests"]):
+        assert name not in text
+
+
+def test_a_folder_has_a_script_for_each_piece(run, tmp_path):
+    assert main(["viewer", str(run), "--folder", str(tmp_path / "page"), "--quiet"]) == 0
+    files = {file.name for file in (tmp_path / "page").rglob("*") if file.is_file()}
+    views = {f"view-{row}-{column}.js" for row in range(2) for column in range(3)}
+    assert files == {"index.html", "viewer.js", "style.js", "mesh.js", *views}
+
+
+def test_a_style_for_stills_tells_its_weight(run, tmp_path, capsys):
+    style = Run(run).style().repeat(3, axis=0).repeat(3, axis=1)
+    write_image(tmp_path / "large.png", style)
+    options = ["--still", str(tmp_path / "large.png"), "--output", str(tmp_path / "page.html")]
+    assert main(["viewer", str(run), *options]) == 0
+    assert "the style for stills takes 0.0 MB of it" in capsys.readouterr().err
+    assert table_of(tmp_path / "page.html")["still"]["scale"] == 3
+
+
+def test_a_large_file_is_doubted(run, tmp_path, capsys, monkeypatch):
+    monkeypatch.setattr(viewer, "LARGEST_PAGE", 1000)
+    assert main(["viewer", str(run), "--output", str(tmp_path / "page.html")]) == 0
+    assert "write a folder by --folder" in capsys.readouterr().err
+
+
+def test_views_without_a_mesh_are_blended(tmp_path, capsys):
+    write_run(tmp_path / "run", holds=None, has_motion=False)
+    assert main(["viewer", str(tmp_path / "run"), "--output", str(tmp_path / "page.html")]) == 0
+    assert "can only blend views" in capsys.readouterr().err
+    table = table_of(tmp_path / "page.html")
+    assert (table["mesh"], table["views"][0]["camera"]) == (None, None)
+    assert table["columns"] == {"positions": [0, 1, 2], "unit": "steps", "isRing": False}
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        (["--output", "page.png"], "page.png: a page ends in .html"),
+        (["--output", "page.html", "--fade", "2"], "--fade is 2; it must be between 0 and 1"),
+        (["--output", "page.html", "--still", "odd.png"], "--still is 7x5, but the style"),
+        (["--output", "nowhere/x/../page.html", "--still", "no.png"], "no.png: no such file"),
+    ],
+)
+def test_what_cannot_be_is_refused(run, tmp_path, capsys, monkeypatch, options, said):
+    monkeypatch.chdir(tmp_path)
+    write_image("odd.png", np.zeros((5, 7, 3), np.uint8))
+    assert said in refused(capsys, main(["viewer", str(run), *options]))
+    assert {file.name for file in tmp_path.iterdir()} == {"odd.png"}
+
+
+def test_runs_that_cannot_be_shown_are_refused(tmp_path, capsys):
+    page = ["--output", str(tmp_path / "page.html")]
+    assert "is no RUN" in refused(capsys, main(["viewer", str(tmp_path), *page]))
+    write_run(tmp_path / "one", cameras=[camera_at(0, 10)], grid=(1, 1))
+    assert "nothing lies between" in refused(capsys, main(["viewer", str(tmp_path / "one"), *page]))
+    nan = [facts_of(camera_at(azimuth, 10)) for azimuth in (0, 5)]
+    nan[1]["origin"] = [0.0, float("nan"), 1.0]
+    cameras = [camera_at(0, 10), camera_at(5, 10)]
+    write_run(tmp_path / "nan", cameras=cameras, grid=(1, 2), facts=nan)
+    assert "finite numbers" in refused(capsys, main(["viewer", str(tmp_path / "nan"), *page]))
+    write_run(tmp_path / "other", motion_scale=3.0)
+    assert "do not match its motion" in refused(
+        capsys, main(["viewer", str(tmp_path / "other"), *page])
+    )
+    assert not (tmp_path / "page.html").exists()
+
+
+@pytest.fixture
+def manifest(run, tmp_path):
+    """Writes a manifest of the RUN's files, as another program would."""
+    names = [[f"{row}{column}" for column in range(3)] for row in range(2)]
+    frames = [name for row in names for name in row]
+    facts = Run(run).facts
+    for name, frame in zip(frames, facts["frames"], strict=True):
+        for kind in ("picture", "nnf"):
+            shutil.copy(run / frame[kind], tmp_path / (name + Path(frame[kind]).suffix))
+    shutil.copy(run / facts["style"], tmp_path / "style.png")
+    cameras = {name: frame["camera"] for name, frame in zip(frames, facts["frames"], strict=True)}
+
+    def written(**content):
+        file = tmp_path / "viewer.json"
+        file.write_text(json.dumps({"grid": names, "cameras": cameras} | content))
+        return str(file)
+
+    return written
+
+
+def test_nnfs_of_any_program_make_the_same_views(run, manifest, tmp_path):
+    theirs, ours = tmp_path / "theirs.html", tmp_path / "ours.html"
+    file = manifest(nnfs="{view}.npy", style="style.png", patch_width=5)
+    assert main(["viewer", file, "--output", str(theirs), "--quiet"]) == 0
+    assert main(["viewer", str(run), "--output", str(ours), "--quiet"]) == 0
+    assert table_of(theirs)["views"] == table_of(ours)["views"]
+
+
+def test_pictures_alone_make_a_page(manifest, tmp_path):
+    page = tmp_path / "page.html"
+    assert main(["viewer", manifest(pictures="{view}.png"), "--output", str(page), "--quiet"]) == 0
+    table = table_of(page)
+    assert table["style"] is None
+    assert all(view["picture"] and not view["nnf"] for view in table["views"])
+
+
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [
+        ({}, "needs nnfs or pictures"),
+        ({"nnfs": "{view}.npy"}, "needs style"),
+        ({"pictures": "{view}.png", "speed": 1}, "has 'speed'; known are grid, nnfs"),
+        ({"pictures": "{view}.png", "grid": [["00"]]}, "at least two in all"),
+        ({"pictures": "{view}.png", "cameras": {}}, "the camera of 00 lacks 'origin'"),
+        ({"nnfs": "{view}.npy", "style": "00.png", "patch_width": 4}, "patch_width is 4"),
+        ({"nnfs": "{view}.npy", "style": "small.png"}, "patches of width 5 lie within the style"),
+        ({"pictures": "{view}.png", "grid": [["00", "small"]]}, "all views must have one size"),
+    ],
+)
+def test_manifests_that_cannot_be_are_refused(manifest, tmp_path, capsys, content, said):
+    write_image(tmp_path / "small.png", np.zeros((9, 9, 3), np.uint8))
+    page = tmp_path / "page.html"
+    if "grid" in content:
+        content = content | {"cameras": {n: facts_of(camera_at(k, 9)) for k, n in
+                                         enumerate(("00", "small"))}}  # fmt: skip
+    code = main(["viewer", manifest(**content), "--output", str(page)])
+    assert said in refused(capsys, code)
+    assert not page.exists()
