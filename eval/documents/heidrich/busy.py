@@ -159,14 +159,16 @@ class Busy:
     Attributes
     ----------
     scene : Scene
+    method : BesideOthers
     """
 
     scene: Scene
+    method: BesideOthers = BesideOthers()
 
     @property
     def job(self):
         """Its run."""
-        return Job(self.scene, BesideOthers())
+        return Job(self.scene, self.method)
 
     @property
     def tasks(self):

@@ -60,6 +60,6 @@ def make_blend(width: int, step: int, channels: int) -> Callable[..., None]:
                 )  # fmt: skip
             start = (y + out.border) * stride + out.border * channels
             put_row(out.values, start, line, out.width * channels)
-            extend_row(out, y, channels)
+            extend_row(out, y, np.int64(channels))
 
     return blend

@@ -31,15 +31,18 @@ def _repeat_row(values: NDArray[np.uint8], start: int, to: int, length: int) -> 
 
 @njit
 def extend_row(image: Image, y: int, lanes: int) -> None:
-    """Repeat the ends of row ``y``; and the whole row, if it is the first or the last."""
+    """Repeat the ends of row ``y``; and the whole row, if it is the first or the last.
+
+    Numba compiles it once for every constant that is given as ``lanes``, so give ``np.int64``.
+    """
     values = image.values
     length = image.stride * lanes
     border = image.border * lanes
     start = (y + image.border) * length
     end = start + length - border
-    for i in range(border):
-        values[start + i] = values[start + border + i % lanes]
-        values[end + i] = values[end - lanes + i % lanes]
+    for beside in range(0, border, lanes):
+        _repeat_row(values, start + border, start + beside, lanes)
+        _repeat_row(values, end - lanes, end + beside, lanes)
     if y == 0:
         for k in range(1, image.border + 1):
             _repeat_row(values, start, start - k * length, length)
@@ -55,6 +58,6 @@ def make_extend(lanes: int) -> Callable[..., None]:
     @kernel(lanes, nogil=True)
     def extend(image: Image) -> None:
         for y in prange(image.height):
-            extend_row(image, y, lanes)
+            extend_row(image, y, np.int64(lanes))
 
     return extend

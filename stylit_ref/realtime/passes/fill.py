@@ -36,6 +36,6 @@ def make_fill(channels: int, lanes: int) -> Callable[..., None]:
                 spread_pixel(image.values, start + x * lanes, pixels, read + x * channels)
             for x in range(max(whole, 0), image.width):  # the last, after which nothing may be read
                 _put_pixel(pixels, read + x * channels, image.values, start + x * lanes, channels)
-            extend_row(image, y, lanes)
+            extend_row(image, y, np.int64(lanes))
 
     return fill

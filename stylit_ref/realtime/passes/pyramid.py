@@ -27,7 +27,7 @@ def make_halve(lanes: int) -> Callable[..., None]:
             start = ((y + coarse.border) * coarse.stride + coarse.border) * lanes
             for x in range(0, coarse.width * lanes, at_once * lanes):
                 halve_pixels(coarse.values, start + x, fine.values, upper + 2 * x, lower + 2 * x)
-            extend_row(coarse, y, lanes)
+            extend_row(coarse, y, np.int64(lanes))
 
     return halve
 
@@ -40,22 +40,25 @@ def mark_labels(labels: NDArray[np.uint8], is_there: NDArray[np.bool_]) -> None:
             is_there[labels[y, x]] = True
 
 
-@kernel(nogil=True)
+@kernel(parallel=False, nogil=True)
 def decimate_labels(
     labels: NDArray[np.uint8], level: int, step: int, out: NDArray[np.int16]
 ) -> None:
-    """Every ``step``-th label of a level. Labels are picked, not averaged."""
+    """Every ``step``-th label of a level. Labels are picked, not averaged.
+
+    One thread is enough for so few, and takes half as long to compile.
+    """
     height, width = out.shape
-    for a in prange(height):
+    for a in range(height):
         for b in range(width):
             out[a, b] = labels[(a * step) << level, (b * step) << level]
 
 
-@kernel(nogil=True)
+@kernel(parallel=False, nogil=True)
 def free_lost_labels(labels: NDArray[np.int16], is_there: NDArray[np.bool_]) -> None:
     """Free the entries whose label no centre of the source has at this level."""
     height, width = labels.shape
-    for a in prange(height):
+    for a in range(height):
         for b in range(width):
             if not is_there[labels[a, b]]:
                 labels[a, b] = -1

@@ -16,7 +16,7 @@ from stylit_ref.realtime.passes.border import extend_row
 from stylit_ref.realtime.passes.image import Image
 
 
-@kernel(nogil=True)
+@kernel(parallel=False, nogil=True)
 def random_nnf(
     nnf: NDArray[np.int32],
     height: int,
@@ -24,13 +24,17 @@ def random_nnf(
     margin: int,
     stream: tuple[int, int, int, int],
 ) -> None:
-    """Fill the NNF with random centres of a source of ``height`` x ``width`` pixels."""
+    """Fill the NNF with random centres of a source of ``height`` x ``width`` pixels.
+
+    The coarsest level has few entries, so one thread is enough.
+    """
     rows, columns = nnf.shape
     first_y, last_y = first_centre(height, margin), last_centre(height, margin)
     first_x, last_x = first_centre(width, margin), last_centre(width, margin)
-    for a in prange(rows):
+    draw = np.int64(0)  # of the type that the search gives: a constant would be compiled anew
+    for a in range(rows):
         for b in range(columns):
-            word = random_words(stream, a * columns + b, 0)[0]
+            word = random_words(stream, a * columns + b, draw)[0]
             nnf[a, b] = packed(
                 random_row(word, first_y, last_y), random_column(word, first_x, last_x)
             )
@@ -78,4 +82,4 @@ def upsample_picture(coarse: Image, out: Image) -> None:
         start = ((y + out.border) * out.stride + out.border) * lanes
         for x in range(0, coarse.width * lanes, lanes):
             _double_pixel(out.values, start + 2 * x, coarse.values, near + x, far + x)
-        extend_row(out, y, lanes)
+        extend_row(out, y, np.int64(lanes))

@@ -15,6 +15,7 @@ from data_gen.manifest import Manifest
 from data_gen.multilayer_exr import write_layers
 from eval.__main__ import main
 from eval.documents.heidrich import stage
+from eval.documents.heidrich.busy import BesideOthers, Busy
 from eval.documents.heidrich.places import densest
 from eval.documents.heidrich.plan import LEFT_OUT, METHODS, STYLES, Plan, Preset
 from eval.documents.heidrich.printed import TABLE_1, milliseconds
@@ -32,7 +33,7 @@ def small(style):
     return stage.enlarged(stage.bundled(style), 80)
 
 
-def tiny_plan(name, preset, shown, timed, large, turning):
+def tiny_plan(name, preset, shown, timed, large, turning, asides):
     """The plan on small pictures; frames are timed on a hundredth of their pixels."""
     return Plan(
         name,
@@ -40,6 +41,7 @@ def tiny_plan(name, preset, shown, timed, large, turning):
         small,
         lambda side: stage.enlarged(small("oil"), side // 10),
         large=lambda style: stage.enlarged(small(style), 120),
+        asides=(Busy(small("oil"), BesideOthers(seconds=0.2, trials=1)),),
     )
 
 

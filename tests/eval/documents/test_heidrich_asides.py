@@ -10,7 +10,7 @@ import pytest
 from data_gen.manifest import Manifest
 from eval.__main__ import main
 from eval.documents.heidrich import stage
-from eval.documents.heidrich.beside import Beside
+from eval.documents.heidrich.beside import SEEDS, Beside
 from eval.documents.heidrich.busy import BesideOthers, spinning_processes
 from eval.documents.heidrich.faults import DENSE, FAULTS, VARIANTS, Faults
 from eval.documents.heidrich.house import BUFFERS, SKETCH, SOURCE, TARGET, Components, house
@@ -87,7 +87,7 @@ def test_a_prototype_is_another_run_when_its_file_changes(prototype):
 def test_energies_of_ours_and_of_a_prototype_are_asked_at_every_size_in_every_style(prototype):
     beside = Beside(prototype, lambda style, side: small(side), (40, 48))
     pictures = [task for task in beside.tasks if task.metrics == ("image_energy",)]
-    assert len(pictures) == 2 * len(stage.STYLES) * 2 * 2
+    assert len(pictures) == 2 * len(stage.STYLES) * 2 * 2 * SEEDS
 
 
 @pytest.mark.parametrize(
