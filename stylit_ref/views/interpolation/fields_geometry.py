@@ -8,20 +8,27 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import distance_transform_edt
 
-from stylit_ref.views import passes
+from stylit_ref.views import passes as frame_passes
 from stylit_ref.views.frames import Edges, Motion
+from stylit_ref.views.interpolation import passes
 from stylit_ref.views.interpolation.axis import Between
 from stylit_ref.views.interpolation.grid import Grid
 from stylit_ref.views.interpolation.surface import Surface
 from stylit_ref.views.motion.composition import composed
-from stylit_ref.views.motion.places import fetched, places_in_other
+from stylit_ref.views.motion.places import places_in_other
 
 
 class _Seen(NamedTuple):
-    """Where the pixels of a view lie in the other views around, and which of those show them."""
+    """What is known of a view's points in the views around a cell, itself among them.
 
-    ways: dict[int, NDArray[np.float32]]
-    shown: dict[int, NDArray[np.bool_]]
+    ``numbers`` of frames, ``ways`` (N, H, W, 2) into them, where they are ``shown`` (N, H, W), and
+    1 where any of them hides the point, ``hidden`` (H, W).
+    """
+
+    numbers: dict[int, int]
+    ways: NDArray[np.float32]
+    shown: NDArray[np.bool_]
+    hidden: NDArray[np.float32]
 
 
 @dataclass(frozen=True)
@@ -30,7 +37,7 @@ class FieldsGeometry:
 
     A point moves from view to view along the grid. Between four views it is where these four put
     it, in bilinear proportion. No faces are known, nor what lies in front: a point is masked in
-    views that do not show it, and strokes beside a silhouette move with what lies behind them.
+    views that do not show it. Strokes beside a silhouette move as the motion has it.
 
     Attributes
     ----------
@@ -54,57 +61,55 @@ class FieldsGeometry:
         self, place: tuple[float, float], views: Sequence[int]
     ) -> tuple[Surface, NDArray[np.float32]]:
         """As :class:`~stylit_ref.views.interpolation.surface.Geometry`."""
-        motion = np.full((len(views), *self.size, 2), np.inf, np.float32)
+        motion = np.empty((len(views), *self.size, 2), np.float32)
         landed = np.zeros(self.size, np.bool_)
         for view in views:
-            moved, seen, is_everywhere = self._moved(place, view)
+            moved, seen = self._moved(place, view)
             winners = np.empty((*self.size, 2), np.int32)
-            # Two points on one pixel: the one that a view does not show is the one behind.
-            passes.splat(moved.field, places_in_other(moved), is_everywhere, winners)
-            new = (winners[:, :, 0] >= 0) & ~landed
-            landed |= new
-            for k, other in enumerate(views):
-                way = fetched(seen.ways[other] - moved.field, winners)
-                motion[k][new] = np.where(fetched(seen.shown[other], winners)[..., None], way,
-                                          np.inf)[new]  # fmt: skip
+            # Of two points on one pixel the one that some view does not show is the one behind.
+            frame_passes.splat(moved.field, places_in_other(moved), seen.hidden, winners)
+            order = np.array([seen.numbers[other] for other in views], np.int64)
+            passes.follow(winners, moved.field, seen.ways, seen.shown, order, landed, motion)
         # What has come into view moves as what is closest to it.
         closest = distance_transform_edt(~landed, return_distances=False, return_indices=True)
         beside = np.ascontiguousarray(np.moveaxis(closest, 0, -1), np.int32)
         return Surface(np.zeros(self.size, np.int32), beside), motion
 
-    def _moved(self, place, view):
+    def _moved(self, place: tuple[float, float], view: int) -> tuple[Motion, _Seen]:
         """The motion of a view's pixels to a place, and what is known of them elsewhere."""
         across, upwards = self.grid.between(place)
         (row, far_row, up), (column, far_column, right) = _sides(self.grid, view, across, upwards)
         frames = self.grid.frames
-        beside, above = frames[row][far_column], frames[far_row][column]
-        corner = frames[far_row][far_column]
-        seen = self._view(view, beside, above, corner)
-        ways = [seen.ways[other].astype(np.float64) for other in (beside, above, corner)]
-        total = right * (1 - up) * ways[0] + up * (1 - right) * ways[1] + right * up * ways[2]
-        hidden = ~np.logical_and.reduce(list(seen.shown.values()))
-        everywhere = np.ones(self.size, np.bool_)
-        return Motion(total.astype(np.float32), everywhere), seen, hidden.astype(np.float32)
+        others = frames[row][far_column], frames[far_row][column], frames[far_row][far_column]
+        seen = self._view(view, *others)
+        shares = right * (1 - up), up * (1 - right), right * up
+        total = np.zeros((*self.size, 2), np.float32)
+        for share, other in zip(shares, others, strict=True):
+            if share:
+                total += np.float32(share) * seen.ways[seen.numbers[other]]
+        return Motion(total, np.ones(self.size, np.bool_)), seen
 
-    def _view(self, view, beside, above, corner):
+    def _view(self, view: int, beside: int, above: int, corner: int) -> _Seen:
         key = view, beside, above, corner
         if key not in self._seen:
             still = Motion(np.zeros((*self.size, 2), np.float32), np.ones(self.size, np.bool_))
-            along, up = (
-                self.edges[view, other] if other != view else still for other in (beside, above)
-            )
-            if corner in (beside, above):
-                last = along if corner == beside else up
-            else:
-                last = composed(along, self.edges[beside, corner])
+            found = {view: still}
+            for other in (beside, above):
+                if other != view:
+                    found[other] = self.edges[view, other]
+            if corner not in found:
+                last = composed(found[beside], self.edges[beside, corner])
                 # Where the way is hidden, the parts of a flat surface move alike.
-                way = np.where(last.visible[..., None], last.field, along.field + up.field)
-                last = last._replace(field=way)
+                way = found[beside].field + found[above].field
+                way = np.where(last.visible[..., None], last.field, way)
+                found[corner] = last._replace(field=way)
+            shown = np.stack([motion.visible for motion in found.values()])
             self._seen[key] = _Seen(
-                {above: up.field, beside: along.field, corner: last.field, view: still.field},
-                {above: up.visible, beside: along.visible, corner: last.visible,
-                 view: still.visible},
-            )  # fmt: skip
+                {frame: number for number, frame in enumerate(found)},
+                np.stack([motion.field for motion in found.values()]),
+                shown,
+                (~shown.all(axis=0)).astype(np.float32),
+            )
         return self._seen[key]
 
 

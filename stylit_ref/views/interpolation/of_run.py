@@ -81,7 +81,7 @@ def _fields(run: Run, rows: int, columns: int) -> FieldsGeometry:
         )
     note(
         f"{run.folder}: holds neither a mesh nor positions, so views between others move by the "
-        "motion of their neighbours; outlines suffer; name a mesh in the manifest"
+        "motion of their neighbours; a mesh in the manifest is more exact"
     )
     edges = {pair: run.motion(*pair) for pair in grid_pairs(rows, columns)}
     known = [bool(camera) for camera in run.cameras]

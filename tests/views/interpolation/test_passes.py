@@ -293,3 +293,24 @@ def test_gaps_of_a_pixel_are_filled_from_the_farther_side():
     passes.fill_holes(found, inverse, filled, far)
     np.testing.assert_array_equal(filled, [[0, 1, 1, -1, -1], [0, -1, 1, -1, 2], [0, 3, 1, -1, -1]])
     np.testing.assert_allclose(far, np.where(filled >= 0, 1 / (filled + 2.0), 0))
+
+
+def test_follow_tells_what_no_view_before_has_told():
+    rng = np.random.default_rng(14)
+    winners = np.stack([rng.integers(-1, side, SIZE) for side in SIZE], axis=-1).astype(np.int32)
+    moved, ways = (rng.random((*many, *SIZE, 2), np.float32) for many in ((), (3,)))
+    shown, landed = rng.random((3, *SIZE)) < 0.7, rng.random(SIZE) < 0.3
+    before, order = landed.copy(), np.array([2, 0])
+    motion = np.full((2, *SIZE, 2), -7, np.float32)
+    passes.follow(winners, moved, ways, shown, order, landed, motion)
+    for y, x in np.ndindex(SIZE):
+        row, column = winners[y, x]
+        if row < 0 or before[y, x]:
+            assert (motion[:, y, x] == -7).all()
+            assert landed[y, x] == before[y, x]
+            continue
+        assert landed[y, x]
+        for k, other in enumerate(order):
+            way = ways[other, row, column] - moved[row, column]
+            expected = way if shown[other, row, column] else np.inf
+            np.testing.assert_array_equal(motion[k, y, x], expected)
