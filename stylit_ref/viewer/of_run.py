@@ -41,8 +41,14 @@ def views_of_page(run: Run) -> GridViews:
     shared = {"size": run.size, "style": style, "patch_width": width}
 
     def field(frame: int) -> NDArray[np.int32]:
+        nnf = run.field(frame).nnf
+        if nnf.shape[:2] != run.size:
+            raise InputError(
+                f"{run.folder}: the field of {run.names[frame]} is {nnf.shape[1]}x{nnf.shape[0]}, "
+                f"and its views are {run.size[1]}x{run.size[0]}; all must have one size"
+            )
         last = np.array(style.shape[:2]) - 1 - width // 2
-        return np.clip(run.field(frame).nnf, width // 2, last).astype(np.int32)
+        return np.clip(nnf, width // 2, last).astype(np.int32)
 
     mesh = run.mesh()
     has_positions = all("positions" in frame for frame in run.facts["frames"])

@@ -170,6 +170,18 @@ def test_any_cameras(engine, open_page, tmp_path, painting, seen_by, rows, colum
     assert np.array_equal(mixed[..., :3], reference.picture(place, "linear"))
 
 
+def test_styles_of_more_than_twelve_bits(engine, open_page, tmp_path):
+    views = small_views(style_size=(12, 4500))
+    reference = reference_of(views, make_style(views.style, views.patch_width))
+    file = tmp_path / "page.html"
+    contents = make_contents(views, title="A wide style", band=BAND)
+    file.write_text(page_text(contents), encoding="utf-8")
+    page = open_page(file, f"?engine={engine}").started()
+    (shifted,) = page.draws((0.0, 0.0), "nnf", "shifted")
+    assert np.array_equal(shifted, places_of(reference.fetch(reference.shift((0.0, 0.0)))[1]))
+    assert shifted.max() > 4095
+
+
 def test_points_serve_in_place_of_a_mesh(engine, views, painting, open_page, tmp_path):
     cameras = views.orbit.cameras
     positions = [positions_of_mesh(views.mesh, camera, SIZE) for camera in cameras]
