@@ -61,8 +61,8 @@ FAULTS = (
         "Seams on flat ground", "ground_seams", ("pen", "oil"),
         "pieces of the painting end in level or upright lines, which line art shows most. A dense "
         "finish softens them and cannot move them: each pixel chooses among the four entries "
-        "around it. More iterations find the same pieces again. Wider patches leave fewer seams "
-        "and cost more. Not cured; where every pixel searches there are fewest.",
+        "around it. More iterations change little. Wider patches leave a few less, and strokes "
+        "in shorter pieces. Not cured; where every pixel searches there are fewest.",
     ),
     Fault(
         "Contrast that comes and goes with the grid", "grid_contrast", ("watercolour", "oil"),
@@ -72,9 +72,10 @@ FAULTS = (
     ),
     Fault(
         "Ragged edges", "ragged", ("watercolour", RENDERING),
-        "the edges of our paintings are ragged themselves, and ours are no more so. Where the "
-        "painting has smooth edges, here the rendering itself, steps of the grid remain. Smoother "
-        "with a dense finish, which asks every pixel for its label; worse with a wider grid.",
+        "the edges of our paintings are ragged themselves, and those of our presets are no more "
+        "so. Where the painting has smooth edges, here the rendering itself, steps of the grid "
+        "remain. Smoother with a dense finish, which asks every pixel for its label; worse with "
+        "a wider grid.",
     ),
     Fault(
         "Strokes in short pieces", "stroke_ends", ("pen",),
