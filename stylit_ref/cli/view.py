@@ -17,9 +17,13 @@ from stylit_ref.files.animation_file import SUFFIX, check_animation_writable, wr
 from stylit_ref.files.colour.profile import read_colour_profile
 from stylit_ref.files.disk.paths import check_distinct
 from stylit_ref.files.write_image import check_image_writable, write_image
+from stylit_ref.machine.kernel import Specialization
+from stylit_ref.machine.vector_patch import STYLE_LANES
 from stylit_ref.notes import note
+from stylit_ref.views.interpolation.formulae.mean import WIDEST
 from stylit_ref.views.interpolation.of_run import views_of_run
 from stylit_ref.views.interpolation.view_interpolator import BAND, MODES, ViewInterpolator
+from stylit_ref.views.interpolation.warm_up import kernels_of_views
 from stylit_ref.views.run_folder import Run
 
 _USAGE = "%(prog)s --from RUN (--at RIGHT,UP | --path 'RIGHT,UP ...') --output IMAGE [options]"
@@ -83,6 +87,8 @@ def run(options: argparse.Namespace) -> None:
     """Open, look, write; all is checked before."""
     start = perf_counter()
     found = Run(options.run)
+    with ProgressLine(options.quiet) as line:
+        line.compile(lambda: _kernels(found))
     views = views_of_run(found, band=options.band)
     places = [options.at] if options.at else places_along(options.path, options.step)
     for place in places:
@@ -108,6 +114,14 @@ def run(options: argparse.Namespace) -> None:
                 write_image(output, picture, profile=profile)
     if not options.quiet:
         _tell(options, outputs, len(places), picture if not moves else pictures[0], start)
+
+
+def _kernels(run: Run) -> list[Specialization]:
+    """Those that are compiled at the first call; none of a RUN that is refused anyway."""
+    channels, width = run.style().shape[2], run.params.patch_width
+    if channels > STYLE_LANES or width > WIDEST:
+        return []
+    return kernels_of_views(channels, width, has_mesh="mesh" in run.facts)
 
 
 def _pictures(

@@ -79,6 +79,7 @@ def look_at_mesh(
     polygons = np.empty((len(corners), 4, 2))
     counts = np.empty(len(corners), np.int32)
     passes.clip(seen, NEAR * distance, polygons, counts)
-    triangles, inverse = np.empty(size, np.int32), np.empty(size, np.float64)
+    # Zeros, since a rehearsal looks up the face of every triangle.
+    triangles, inverse = np.zeros(size, np.int32), np.empty(size, np.float64)
     passes.rasterize(polygons, counts, plane_depths(matrix, corners), triangles, inverse)
     return triangles, inverse

@@ -82,7 +82,8 @@ def places_beside(inverse: NDArray[np.float64]) -> NDArray[np.int32]:
         (y, x).
     """
     size = inverse.shape
-    rims, places = np.empty(size, np.bool_), np.empty((*size, 2), np.int32)
+    # Zeros, since a rehearsal looks up what is at every place.
+    rims, places = np.zeros(size, np.bool_), np.zeros((*size, 2), np.int32)
     passes.find_rims(inverse, rims)
     reach = reach_of(*size)
     nearest = maximum_filter(np.where(rims, inverse, 0), 2 * reach + 1)
