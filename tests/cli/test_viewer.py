@@ -74,12 +74,21 @@ def test_a_large_file_is_doubted(run, tmp_path, capsys, monkeypatch):
 
 
 def test_views_without_a_mesh_are_blended(tmp_path, capsys):
-    write_run(tmp_path / "run", holds=None, has_motion=False)
+    write_run(tmp_path / "run", holds=None)
     assert main(["viewer", str(tmp_path / "run"), "--output", str(tmp_path / "page.html")]) == 0
     assert "can only blend views" in capsys.readouterr().err
     table = table_of(tmp_path / "page.html")
     assert (table["mesh"], table["views"][0]["camera"]) == (None, None)
-    assert table["columns"] == {"positions": [0, 1, 2], "unit": "steps", "isRing": False}
+    assert table["columns"]["positions"] == pytest.approx([-10, 0, 12])
+
+
+def test_positions_go_into_a_page_where_there_is_no_mesh(tmp_path):
+    write_run(tmp_path / "run", holds="positions")
+    page = tmp_path / "page.html"
+    assert main(["viewer", str(tmp_path / "run"), "--output", str(page), "--quiet"]) == 0
+    table = table_of(page)
+    assert table["mesh"] is None
+    assert all(view["points"] and view["camera"] for view in table["views"])
 
 
 @pytest.mark.parametrize(

@@ -18,9 +18,9 @@ FLAGS = (
 """WebGL 2 without a graphics processor; and nothing that would reach for the network."""
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def chromium():
-    """A browser for all tests of a process."""
+    """A browser for the tests of a module: its event loop would be in the way of others."""
     playwright = pytest.importorskip(
         "playwright.sync_api", reason="pip install playwright, which the extra test has"
     )

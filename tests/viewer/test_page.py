@@ -11,6 +11,8 @@ from stylit_ref import read_uint8, replay
 from stylit_ref.viewer.contents import make_contents
 from stylit_ref.viewer.write_page import folder_texts, page_text, write_folder
 
+pytestmark = pytest.mark.slow  # a browser is a process of its own
+
 AXE = Path(__file__).parents[2] / "stylit_ref/viewer/node_modules/axe-core/axe.min.js"
 NO_WEBGL = """HTMLCanvasElement.prototype.getContext = ((get) => function (kind, ...rest) {
   return kind === "webgl2" ? null : get.call(this, kind, ...rest);

@@ -18,6 +18,8 @@ from stylit_ref.views.interpolation.positions_geometry import (
 )
 from stylit_ref.views.interpolation.view_interpolator import Stylized, ViewInterpolator
 
+pytestmark = pytest.mark.slow  # a browser is a process of its own
+
 ENGINES = "webgl", "script"
 PLACES = (0.0, 0.0), (0.75, -1.0), (-2.5, 2.5), (1.75, 0.5)
 BAND = 0.6
