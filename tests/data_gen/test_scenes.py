@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from data_gen.pieces import Motion, MotionOfTurn, ViewsManifest
+from data_gen.pieces import Motion, MotionOfTurn, SceneMesh, ViewsManifest
 from data_gen.scenes import SCENES, USUAL
 
 SHOTS = Path(__file__).parents[1] / "shots"
@@ -44,6 +44,21 @@ def test_there_is_motion_between_all_neighbours_both_ways(name):
     if isinstance(motion, Motion):
         assert {f"{a}_to_{b}" for a, b in motion.pairs} == pairs_of(manifest.rows)
         assert all(a in motion.cameras and b in motion.cameras for a, b in motion.pairs)
+
+
+def test_manifests_of_buildings_name_their_mesh(tmp_path):
+    *pieces, manifest = SCENES["house_5"]
+    [mesh] = [piece for piece in pieces if isinstance(piece, SceneMesh)]
+    manifest.make(tmp_path, None, False)
+    content = json.loads((tmp_path / "views.json").read_text())
+    assert content["mesh"] == f"../../{mesh.name}/scene.obj"
+    mesh.make(tmp_path, None, False)
+    lines = (tmp_path / "scene.obj").read_text().splitlines()
+    parts = mesh.scene().parts
+    assert [line[2:] for line in lines if line.startswith("o ")] == list(parts)
+    assert sum(line.startswith("f ") for line in lines) == sum(
+        len(part.faces) for part in parts.values()
+    )
 
 
 def test_the_animation_moves_object_and_camera():
