@@ -63,7 +63,7 @@ def test_importing_the_library_changes_no_setting_of_the_process():
         "def state():\n"
         "    handlers = [signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM)]\n"
         "    return dict(os.environ), handlers, os.getcwd(), len(warnings.filters)\n"
-        "import numba, numpy, scipy.ndimage, scipy.sparse, OpenImageIO\n"
+        "import numba, numpy, scipy.ndimage, OpenImageIO\n"
         "before = state()\n"
         "import stylit_ref\n"
         "for name in stylit_ref.__all__: getattr(stylit_ref, name)\n"

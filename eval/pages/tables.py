@@ -14,10 +14,10 @@ def table(frame):
     return frame.to_markdown(index=False, disable_numparse=True)
 
 
-def formatted(frame):
-    """A data frame whose columns get the titles and formats of :data:`COLUMNS`."""
+def formatted(frame, numbers=COLUMNS):
+    """A data frame whose columns get the titles and formats of ``numbers``."""
     formatted = frame.copy()
-    for name, number in COLUMNS.items():
+    for name, number in numbers.items():
         if name in formatted:
             formatted[name] = formatted[name].map(number.form.format)
             formatted = formatted.rename(columns={name: number.title})

@@ -12,7 +12,7 @@ from eval.number import Number
 from eval.pages import options as shared
 from eval.pages.figures import comparison, contact_sheet
 from eval.pages.page import new_report, shown
-from eval.pages.tables import table
+from eval.pages.tables import formatted, table
 from eval.provenance import provenance
 from eval.view_paths import DARK, Truth, WithoutSilhouettes
 from stylit_ref import InputError
@@ -83,21 +83,21 @@ def _sections(report, views, alone, others, run):
     yield _TEXT
     yield "## Along a row of views"
     path = pd.DataFrame(_along_a_path(views, alone))
-    yield report.table("path", path, _formatted(path))
+    yield report.table("path", path, formatted(path, NUMBERS))
     yield "## In the middle between four views"
     middle = pd.DataFrame(_in_the_middle(views))
-    yield report.table("middle", middle, _formatted(middle))
+    yield report.table("middle", middle, formatted(middle, NUMBERS))
     yield "## Goals"
     yield table(pd.DataFrame(_goals(path.set_index("mode"), middle.set_index("mode"))))
     yield "## The same path on coarser and finer grids"
     rows = pd.DataFrame(row for each in (*others, views) for row in _at_distance(each))
     rows = rows.sort_values(["mode", "degrees"])
-    yield report.table("distance", rows, _formatted(rows))
+    yield report.table("distance", rows, formatted(rows, NUMBERS))
     yield "## Left out"
     yield _LEFT_OUT
     rows = pd.DataFrame(row for each in (*others, views) for row in _left_out(each))
     rows = rows.sort_values(["mode", "degrees"])
-    yield report.table("left_out", rows, _formatted(rows))
+    yield report.table("left_out", rows, formatted(rows, NUMBERS))
     yield "## Figures"
     place = _middle_of_cell(views.grid)
     sheets = [(mode, views.picture(place, mode)) for mode in MODES]
@@ -306,15 +306,6 @@ def _mean(looks):
         name: np.mean([getattr(each, name) for each in looks])
         for name in ("sharpness", "outlines", "ghosts")
     }
-
-
-def _formatted(rows):
-    text = rows.copy()
-    for name, number in NUMBERS.items():
-        if name in text:
-            text[name] = text[name].map(number.form.format)
-            text = text.rename(columns={name: number.title})
-    return text
 
 
 _TEXT = f"""\

@@ -8,6 +8,7 @@ from time import perf_counter
 import numpy as np
 from numpy.typing import NDArray
 
+from stylit_ref.cli.fade_option import add_fade
 from stylit_ref.cli.finished import counted_frames, tell_finished
 from stylit_ref.cli.frame_files import pattern_of
 from stylit_ref.cli.parser import Parser
@@ -22,7 +23,7 @@ from stylit_ref.machine.vector_patch import STYLE_LANES
 from stylit_ref.notes import note
 from stylit_ref.views.interpolation.formulae.mean import WIDEST
 from stylit_ref.views.interpolation.of_run import views_of_run
-from stylit_ref.views.interpolation.view_interpolator import BAND, MODES, ViewInterpolator
+from stylit_ref.views.interpolation.view_interpolator import MODES, ViewInterpolator
 from stylit_ref.views.interpolation.warm_up import kernels_of_views
 from stylit_ref.views.run_folder import Run
 
@@ -67,11 +68,7 @@ def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
         "--mode", choices=MODES, default="fade", metavar="NAME",
         help="how it is made: fade, limited, nnf, blend, image or linear (default %(default)s)",
     )  # fmt: skip
-    parser.add_argument(
-        "--fade", type=float, default=BAND, metavar="SHARE", dest="band",
-        help="how wide the fade is where the closest view changes, as a part of the way from view "
-        "to view: 0 switches (default %(default)s)",
-    )  # fmt: skip
+    add_fade(parser)
     parser.add_argument(
         "--step", type=step_of, default=0.25, metavar="DEGREES",
         help="how far a path goes from frame to frame (default %(default)s)",

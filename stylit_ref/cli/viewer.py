@@ -5,6 +5,7 @@ import logging
 import sys
 from pathlib import Path
 
+from stylit_ref.cli.fade_option import add_fade
 from stylit_ref.cli.parser import Parser
 from stylit_ref.cli.viewer_manifest import opaque_image, views_of_manifest
 from stylit_ref.errors import InputError
@@ -15,7 +16,6 @@ from stylit_ref.viewer.contents import make_contents
 from stylit_ref.viewer.grid_views import GridViews
 from stylit_ref.viewer.of_run import views_of_page
 from stylit_ref.viewer.write_page import folder_texts, page_text, write_folder
-from stylit_ref.views.interpolation.view_interpolator import BAND
 from stylit_ref.views.run_folder import Run
 
 LARGEST_PAGE = 32 * 10**6
@@ -61,11 +61,7 @@ def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
         "--still", metavar="IMAGE",
         help="put the style in at this larger size, so that the page saves stills in it",
     )  # fmt: skip
-    parser.add_argument(
-        "--fade", type=float, default=BAND, metavar="SHARE", dest="band",
-        help="how wide the fade is where the closest view changes, as a part of the way from view "
-        "to view: 0 switches (default %(default)s)",
-    )  # fmt: skip
+    add_fade(parser)
     parser.add_argument("--quiet", action="store_true", help="print warnings and errors only")
 
 

@@ -4,8 +4,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
 from stylit_ref.errors import InputError
 
@@ -72,6 +70,10 @@ def make_mesh(
 
 
 def _smooth_groups(vertices, faces, parts):
+    # Imported late: they take a tenth of the start-up time.
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+
     _, same = np.unique(vertices, axis=0, return_inverse=True)
     edges, owners = _edges(same.reshape(-1)[faces])
     first, second = owners[:-1], owners[1:]

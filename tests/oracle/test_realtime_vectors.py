@@ -12,6 +12,7 @@ from described import (
     stages_in_table,
 )
 from kept_cases import assert_made_again
+from listening import Listening
 
 from oracle.cases import read_cases
 from oracle.check import check
@@ -78,21 +79,10 @@ def test_our_passes_give_what_they_must():
     assert {outcome.status for outcome in outcomes} == {PASSED}
 
 
-class Listening:
-    """Our passes, and which of them are asked for."""
-
-    def __init__(self):
-        self.heard = set()
-
-    def __getattr__(self, name):
-        self.heard.add(name)
-        return getattr(passes, name)
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("stage", [name for name, stage in STAGES.items() if stage.passes])
 def test_a_stage_names_the_passes_that_it_uses(stage):
-    ours = Listening()
+    ours = Listening(passes)
     for case in read_cases(VERSION, [stage]):
         run_case(REALTIME, stage, case.parameters, dict(case.arrays), ours)
     assert ours.heard <= set(STAGES[stage].passes)

@@ -8,6 +8,7 @@ from collections import Counter
 from types import ModuleType
 
 import pytest
+from listening import Listening
 
 from oracle.cases import read_cases
 from oracle.check import check
@@ -61,21 +62,10 @@ def test_cuda_kernels_give_what_they_must():
     }
 
 
-class Listening:
-    """Our passes, and which of them are asked for."""
-
-    def __init__(self):
-        self.heard = set()
-
-    def __getattr__(self, name):
-        self.heard.add(name)
-        return getattr(passes, name)
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("stage", [name for name, stage in STAGES.items() if stage.passes])
 def test_a_stage_is_offered_where_a_module_has_all_that_it_uses(stage):
-    ours, needed = Listening(), STAGES[stage].passes
+    ours, needed = Listening(passes), STAGES[stage].passes
     for case in read_cases(NEWEST, [stage]):
         run_case(STYLIZATION, stage, case.parameters, dict(case.arrays), ours)
     assert ours.heard == set(needed)

@@ -4,23 +4,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from compiled import Compiled
 from numba.core import event
 
 from stylit_ref import InputError, Params, stylize, warm_up
 from stylit_ref.stylization.warm_up import kernels_of_run
-
-
-class Compiled(event.Listener):
-    """Names of what is compiled while it listens, in order."""
-
-    def __init__(self):
-        self.names = []
-
-    def on_start(self, event):
-        self.names.append(event.data["dispatcher"].__name__)
-
-    def on_end(self, event):
-        pass
 
 
 def random_images(sizes_and_channels):

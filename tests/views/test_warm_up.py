@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from compiled import Compiled
 from numba.core import event
 from small_scene import small_scene
 
@@ -9,19 +10,6 @@ from stylit_ref import ArrayShot, Coherence, Motion, Params, stylize_views
 from stylit_ref.machine.kernel import compile_missing
 from stylit_ref.views.frames import sequence_pairs
 from stylit_ref.views.warm_up import kernels_of_frames
-
-
-class Compiled(event.Listener):
-    """Names of what is compiled while it listens, in order."""
-
-    def __init__(self):
-        self.names = []
-
-    def on_start(self, event):
-        self.names.append(event.data["dispatcher"].__name__)
-
-    def on_end(self, event):
-        pass
 
 
 @pytest.mark.parametrize("order", ["parallel", "sequential"])

@@ -68,7 +68,19 @@ def prototype_of(file):
 
 
 @dataclass(frozen=True)
-class Prototype(OnProcessor):
+class _OfFile(OnProcessor):
+    """What a prototype's file decides too."""
+
+    file: str
+
+    @property
+    def code(self):
+        """Digest of its file, and of this one."""
+        return super().code + digest_of(self.file)
+
+
+@dataclass(frozen=True)
+class Prototype(_OfFile):
     """A cold frame of the prototype.
 
     Attributes
@@ -78,7 +90,6 @@ class Prototype(OnProcessor):
         One of ours; :data:`PAIRS` has its name for it.
     """
 
-    file: str
     preset: str
 
     cost = 0.2
@@ -87,11 +98,6 @@ class Prototype(OnProcessor):
     def name(self):
         """What it is, and its preset."""
         return f"prototype, {self.preset}"
-
-    @property
-    def code(self):
-        """Digest of its file, and of this one."""
-        return super().code + digest_of(self.file)
 
     def frames(self, scene, seed, threads=None):
         """An engine that makes frames of the scene."""
@@ -133,7 +139,7 @@ class _Frames:
 
 
 @dataclass(frozen=True)
-class InTurns(OnProcessor):
+class InTurns(_OfFile):
     """Cold frames of ours and of the prototype's one after the other, on all threads.
 
     Attributes
@@ -142,16 +148,10 @@ class InTurns(OnProcessor):
     rounds : int
     """
 
-    file: str
     rounds: int = ROUNDS
 
     name = "beside the prototype"
     cost = 10.0
-
-    @property
-    def code(self):
-        """Digest of its file, and of this one."""
-        return super().code + digest_of(self.file)
 
     def run(self, scene, seed, progress=None):
         """Make the frames.

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from stylit_ref.views.interpolation import passes
 from stylit_ref.views.interpolation.camera import Camera
-from stylit_ref.views.interpolation.formulae.transfer import plane_depths, transfer_of
+from stylit_ref.views.interpolation.formulae.transfer import plane_depths
 from stylit_ref.views.interpolation.orbit import Orbit
 from stylit_ref.views.interpolation.surface import SKY, Surface, motion_by_depth, surface_of
 from stylit_ref.views.mesh import Mesh
@@ -43,15 +43,17 @@ class MeshGeometry:
         """As :class:`~stylit_ref.views.interpolation.surface.Geometry`."""
         camera = self.orbit.at(place)
         surface, inverse = self._seen(camera)
-        matrix = camera.matrix(self.size)
-        others = [self.orbit.cameras[view].matrix(self.size) for view in views]
-        transfers = np.stack([transfer_of(matrix, other) for other in others])
+        transfers = self.orbit.transfers(camera.matrix(self.size), views, self.size)
         return surface, motion_by_depth(inverse, transfers)
 
     def _seen(self, camera: Camera) -> tuple[Surface, NDArray[np.float64]]:
         triangles, inverse = look_at_mesh(self.mesh, camera, self.size)
-        labels = np.where(triangles < 0, SKY, self.mesh.groups[triangles]).astype(np.int32)
-        return surface_of(labels, inverse), inverse
+        return surface_of(labels_of(self.mesh, triangles), inverse), inverse
+
+
+def labels_of(mesh: Mesh, triangles: NDArray[np.int32]) -> NDArray[np.int32]:
+    """The faces of what :func:`look_at_mesh` sees, (H, W) int32."""
+    return np.where(triangles < 0, SKY, mesh.groups[triangles]).astype(np.int32)
 
 
 def look_at_mesh(

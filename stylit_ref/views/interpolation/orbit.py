@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from stylit_ref.views.interpolation.axis import Axis, closes_ring, steps_axis
 from stylit_ref.views.interpolation.camera import Camera
+from stylit_ref.views.interpolation.formulae.transfer import transfer_of
 from stylit_ref.views.interpolation.grid import Grid, bilinear
 
 _FRONTS = (0.0, 0.0, 1.0), (0.0, -1.0, 0.0)
@@ -53,6 +54,27 @@ class Orbit:
             tuple(origin.tolist()), tuple(target.tolist()), float(mean[8]), tuple(up.tolist()),
             tuple(mean[6:8].tolist()), float(mean[15]),
         )  # fmt: skip
+
+    def transfers(
+        self, matrix: NDArray[np.float64], views: Sequence[int], size: tuple[int, ...]
+    ) -> NDArray[np.float64]:
+        """How pixels of a camera go over into those of some views.
+
+        Parameters
+        ----------
+        matrix : (3, 4) float64
+            Of the camera.
+        views : sequence of K int
+        size : tuple of 2 int
+            Rows and columns.
+
+        Returns
+        -------
+        (K, ...) float64
+            As of :func:`~stylit_ref.views.interpolation.formulae.transfer.transfer_of`.
+        """
+        others = [self.cameras[view].matrix(size) for view in views]
+        return np.stack([transfer_of(matrix, other) for other in others])
 
     @cached_property
     def _facts(self) -> NDArray[np.float64]:

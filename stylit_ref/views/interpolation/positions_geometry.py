@@ -8,10 +8,10 @@ from numpy.typing import NDArray
 
 from stylit_ref.views.interpolation import passes
 from stylit_ref.views.interpolation.camera import Camera
-from stylit_ref.views.interpolation.formulae.transfer import rays_of, transfer_of
-from stylit_ref.views.interpolation.mesh_geometry import look_at_mesh
+from stylit_ref.views.interpolation.formulae.transfer import rays_of
+from stylit_ref.views.interpolation.mesh_geometry import labels_of, look_at_mesh
 from stylit_ref.views.interpolation.orbit import Orbit
-from stylit_ref.views.interpolation.surface import SKY, Surface, motion_by_depth, surface_of
+from stylit_ref.views.interpolation.surface import Surface, motion_by_depth, surface_of
 from stylit_ref.views.mesh import Mesh
 from stylit_ref.views.positions import Positions
 
@@ -54,8 +54,7 @@ class PositionsGeometry:
         size = self.labels.shape[1:]
         matrix = self.orbit.at(place).matrix(size)
         found, inverse = self.splatted(matrix, views)
-        others = [self.orbit.cameras[view].matrix(size) for view in views]
-        transfers = np.stack([transfer_of(matrix, other) for other in others])
+        transfers = self.orbit.transfers(matrix, views, size)
         return surface_of(found, inverse), motion_by_depth(inverse, transfers)
 
     def splatted(
@@ -87,8 +86,7 @@ def positions_of_mesh(mesh: Mesh, camera: Camera, size: tuple[int, int]) -> Posi
     seen = triangles >= 0
     depth = 1 / np.where(seen, inverse, 1)
     points = eye + depth[..., None] * (np.stack([x, y, np.ones_like(x)], axis=-1) @ rays.T)
-    labels = np.where(seen, mesh.groups[triangles], SKY).astype(np.int32)
-    return Positions(points.astype(np.float32), labels)
+    return Positions(points.astype(np.float32), labels_of(mesh, triangles))
 
 
 def splatting_error(

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from compiled import Compiled
 from numba.core import event
 from small_run import write_run
 
@@ -9,19 +10,6 @@ from stylit_ref import views_of_run
 from stylit_ref.machine.kernel import compile_missing
 from stylit_ref.views.interpolation.view_interpolator import MODES
 from stylit_ref.views.interpolation.warm_up import kernels_of_views
-
-
-class Compiled(event.Listener):
-    """Names of what is compiled while it listens, in order."""
-
-    def __init__(self):
-        self.names = []
-
-    def on_start(self, event):
-        self.names.append(event.data["dispatcher"].__name__)
-
-    def on_end(self, event):
-        pass
 
 
 @pytest.mark.parametrize("holds", ["mesh", "positions"])
