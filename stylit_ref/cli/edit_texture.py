@@ -1,7 +1,7 @@
 """``stylit-ref edit-texture``: paint a saved texture with an exemplar, or put a patch on it."""
 
 import argparse
-from dataclasses import fields
+from dataclasses import fields, replace
 from time import perf_counter
 
 import numpy as np
@@ -44,6 +44,9 @@ With --save-coordinates the result can be changed again."""
 _EVERYDAY = ("radius",)
 _OF_PAINTING = "iterations", "max_deformation", "candidates", "tries"
 _OF_PATCHES = "max_jump", "exponent", "eta", "weighting", "second_pass", "gamma"
+
+_DEFAULTS = TextureParams(radius=64, radius_step=0)
+"""R stays what is asked for, however many iterations the texture has behind it."""
 
 
 def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
@@ -109,7 +112,9 @@ def run(options: argparse.Namespace) -> None:
     _check_options(options)
     names = *_EVERYDAY, *_OF_PAINTING, *_OF_PATCHES
     given = {name: getattr(options, name) for name in names}
-    params = TextureParams(**{name: value for name, value in given.items() if value is not None})
+    params = replace(
+        _DEFAULTS, **{name: value for name, value in given.items() if value is not None}
+    )
     field = read_texture_field(options.start)
     sources = read_sources(options.exemplar)
     size = field.coordinates.shape[:2]
@@ -164,4 +169,4 @@ def _mask(options, size) -> NDArray[np.bool_]:
 def _add_parameters(group, names):
     for each in fields(TextureParams):
         if each.name in names:
-            add_parameter(group, each, each.default)
+            add_parameter(group, each, getattr(_DEFAULTS, each.name))

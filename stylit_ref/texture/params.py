@@ -19,8 +19,8 @@ class TextureParams:
     Attributes
     ----------
     radius : int
-        R, the largest radius of a patch, in pixels. The one that matters most: just large enough to
-        hold what must stay whole.
+        R, the largest radius of a patch in the first iteration, in pixels. The one that matters
+        most: large enough to hold what must stay whole.
     max_deformation : int
         D_max, the largest shift of a colour along a cut, in rows of the polar table; 0 for none.
     radial_samples, angular_samples : float
@@ -63,7 +63,8 @@ class TextureParams:
     patience : int, optional
         Stop after so many iterations without an acceptance.
     radius_step, radius_end : int
-        How much R falls from iteration to iteration, and where it ends.
+        How much R falls from iteration to iteration, and where it ends. It falls at first, so that
+        a few large patches settle the whole; those of one size leave walls and tiles broken.
     deformation_step, deformation_end : int
         The same of D_max.
     guide_weight : float
@@ -72,8 +73,8 @@ class TextureParams:
     """
 
     radius: int = parameter(
-        64, Integer(1, LARGEST_RADIUS), "R, largest radius of a patch in pixels: just large enough "
-        "to hold what must stay whole",
+        96, Integer(1, LARGEST_RADIUS), "R, largest radius of a patch in pixels, to begin with: "
+        "large enough to hold what must stay whole",
     )  # fmt: skip
     max_deformation: int = parameter(
         0,
@@ -107,7 +108,7 @@ class TextureParams:
     )
     second_pass: bool = parameter(True, Flag(), "improve every cut by a second pass")
     candidates: int = parameter(
-        64, Integer(1, 65536), "patches that are compared by a sparse look before the best is cut"
+        128, Integer(1, 65536), "patches that are compared by a sparse look before the best is cut"
     )
     spread: int = parameter(
         400,
@@ -127,9 +128,9 @@ class TextureParams:
         None, Optional(Integer(1, 1 << 30)), "stop after so many iterations without a change"
     )
     radius_step: int = parameter(
-        0, Integer(0, LARGEST_RADIUS), "how much R falls from iteration to iteration"
+        8, Integer(0, LARGEST_RADIUS), "how much R falls from iteration to iteration"
     )
-    radius_end: int = parameter(1, Integer(1, LARGEST_RADIUS), "the R at which it stops falling")
+    radius_end: int = parameter(64, Integer(1, LARGEST_RADIUS), "the R at which it stops falling")
     deformation_step: int = parameter(
         0, Integer(0, 4096), "how much D_max falls from iteration to iteration"
     )
@@ -168,8 +169,9 @@ class TextureParams:
 TEXTURE_PRESETS: dict[str, dict[str, Any]] = {
     "default": {},
     "paper": {
-        "max_deformation": 32, "max_jump": 4, "predicate": "after", "weighting": "printed",
-        "second_pass": False, "candidates": 1, "spread": 0, "iterations": 16,
+        "radius": 64, "radius_step": 0, "max_deformation": 32, "max_jump": 4, "predicate": "after",
+        "weighting": "printed", "second_pass": False, "candidates": 1, "spread": 0,
+        "iterations": 16,
     },
     "complete": {
         "radius": 48, "radius_step": 2, "radius_end": 10, "candidates": 1024, "spread": 0,

@@ -27,7 +27,7 @@ def test_small_patches_take_more_memory_than_large_ones():
 
 @pytest.mark.usefixtures("memory")
 def test_the_smallest_radius_counts():
-    falling = TextureParams(radius=8, radius_step=1, iterations=24)
+    falling = TextureParams(radius=8, radius_step=1, radius_end=1, iterations=24)
     with pytest.raises(InputError, match="larger than a radius of 1"):
         check_memory(LARGE, falling)
 

@@ -39,7 +39,7 @@ def interaction(plan):
     rows = []
     with using_threads(THREADS):
         for name, wanted in _WANTED.items():
-            params = TextureParams(radius=128 if "128" in name else 64)
+            params = TextureParams(radius=128 if "128" in name else 64, radius_step=0)
             session = TextureSession(
                 [job.scene.exemplar], (size, size), params, start=stored(job).coordinates
             )

@@ -160,7 +160,7 @@ def sheet_figure(exemplars, plan, file):
     rows = []
     for name in exemplars:
         results = [
-            ("default", plan.default(name)), ("R from 96", plan.from_large(name)),
+            ("default", plan.default(name)), ("one R", plan.of_one_radius(name)),
             ("paper", plan.paper(name)), ("image quilting", plan.quilting(name)),
         ]  # fmt: skip
         results += [(program.name, plan.rival(name, program)) for program in plan.rivals]

@@ -107,7 +107,7 @@ def quality(plan):
     rows = []
     for exemplar in plan.exemplars:
         ours = [
-            ("default", plan.default), ("R from 96", plan.from_large),
+            ("default", plan.default), ("one R", plan.of_one_radius),
             ("paper", lambda name, seed: plan.paper(name, seed=seed)),
             ("image quilting", plan.quilting),
         ]  # fmt: skip

@@ -49,7 +49,7 @@ def test_tables_have_published_and_own_numbers(folder):
     assert times["paper, an iteration [ms]"].tolist() == [6]
     assert (times[["ours [MB]", "ours, 11 to 16 [ms]"]] > 0).all(axis=None)
     quality = pd.read_csv(folder / "report" / "quality.csv")
-    assert quality["method"].tolist() == ["default", "R from 96", "paper", "image quilting"] * 2
+    assert quality["method"].tolist() == ["default", "one R", "paper", "image quilting"] * 2
     assert not quality.isna().any(axis=None)
     claims = pd.read_csv(folder / "report" / "claims.csv")
     assert set(claims["verdict"]) <= {HELD, NOT_HELD, OPEN}
