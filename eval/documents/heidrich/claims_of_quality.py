@@ -43,7 +43,7 @@ def claims_of_quality(plan):
         Claim(
             "Lit Sphere bends strokes as well", "6.2.2", OPEN,
             "strokes are turned more than with StyLit",
-            "our Lit Sphere does not tell where its pixels come from",
+            "Lit Sphere paints the object alone, and the number needs a match for every pixel",
         ),
         _no_ground(plan),
         _full_alone(plan),
