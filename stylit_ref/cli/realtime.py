@@ -26,26 +26,35 @@ from stylit_ref.machine.kernel import Specialization, compile_missing
 from stylit_ref.machine.profiling import Profile
 from stylit_ref.notes import note
 from stylit_ref.realtime.checks import check_sides
-from stylit_ref.realtime.packing import Packing, StagePacking, UnpackedStage, choose_packing, pack
+from stylit_ref.realtime.packing import (
+    Packing,
+    PrincipalPacking,
+    StagePacking,
+    UnpackedStage,
+    choose_packing,
+    pack,
+)
+from stylit_ref.realtime.packing.stage import CAST_SHADOW
 from stylit_ref.realtime.params import RealtimeParams
-from stylit_ref.realtime.replaying import replay_realtime
+from stylit_ref.realtime.replaying import replay_dense, replay_realtime
 from stylit_ref.realtime.session import Session
 from stylit_ref.realtime.warm_up import kernels_of_frame
 
 
 class Frame(NamedTuple):
-    """B' and its NNF."""
+    """B' and its NNF; with ``dense_finish`` the NNF that it was averaged by, too."""
 
     image: NDArray[np.uint8]
     nnf: NDArray[np.int32]
+    dense: NDArray[np.int32] | None
 
 
 def add_warm_start(group: argparse._ArgumentGroup) -> None:
     """Add ``--warm-start``."""
     group.add_argument(
         "--warm-start", metavar="FILE.npy",
-        help="begin with the matches of the frame before it, which --nnf wrote, and search the "
-        "finest level alone",
+        help="begin with the matches of the frame before it, which --nnf wrote; search the finest "
+        "level, and renew what has grown old from --renewal-level upwards",
     )  # fmt: skip
 
 
@@ -81,7 +90,9 @@ def run_realtime(options: argparse.Namespace, params: RealtimeParams) -> None:
     )  # fmt: skip
     image = frame.image
     if deep or images.style.shape != style.shape:
-        image = replay_realtime(field, deep.style if deep else images.style)
+        image = _through(frame, field, deep.style if deep else images.style)
+    if options.nnf and frame.dense is not None:
+        note("keeps the matches before --dense-finish, by which replay averages", parameter="nnf")
     with profile.stage("writing images"):
         write_image(options.output, image, profile=colours)
         if options.nnf:
@@ -127,7 +138,7 @@ def realtime_frame(
     source, labels = pack(packing, _read_by(packing, buffers.source))
     target, target_labels = pack(packing, _read_by(packing, buffers.target))
     if params.labels:
-        _check_labels(labels, target_labels, buffers)
+        _check_labels(labels, target_labels, packing, buffers)
     session = Session(params, seed=seed, threads=threads)
     session.set_exemplar(source, style, labels)
     session.set_target(target, target_labels)
@@ -135,7 +146,16 @@ def realtime_frame(
     if before:
         session.nnf = before.nnf
     image = session.frame(warm=before is not None)
-    return Frame(image, session.nnf)
+    return Frame(image, session.nnf, session.dense_nnf() if params.dense_finish else None)
+
+
+def _through(
+    frame: Frame, field: RealtimeField, style: NDArray[np.uint8 | np.uint16 | np.float32]
+) -> NDArray[np.uint8 | np.uint16 | np.float32]:
+    """The frame in other colours, or at another bit depth."""
+    if frame.dense is None:
+        return replay_realtime(field, style)
+    return replay_dense(frame.dense, style, field.patch_width)
 
 
 def kernels_of_realtime(
@@ -207,13 +227,17 @@ def _tell_unread(packing: Packing, buffers: Buffers) -> None:
         note(f"has no use for {', '.join(unread)}; pca reads all guides", parameter="packing")
 
 
-def _check_labels(source: NDArray[np.uint8], target: NDArray[np.uint8], buffers: Buffers) -> None:
+def _check_labels(
+    source: NDArray[np.uint8], target: NDArray[np.uint8], packing: Packing, buffers: Buffers
+) -> None:
     """Refuse a thing in the target that the source does not show."""
     unknown = ~np.isin(target, np.unique(source))
     if unknown.any():
         y, x = np.argwhere(unknown)[0]
-        colour = ", ".join(map(str, buffers.target["IDMASK"][y, x]))
-        name = Path(buffers.files["IDMASK"]).as_posix()
+        of_stage = not isinstance(packing, PrincipalPacking)
+        role = "LIGHTMASK" if of_stage and target[y, x] == CAST_SHADOW else "IDMASK"
+        colour = ", ".join(map(str, buffers.target[role][y, x]))
+        name = Path(buffers.files[role]).as_posix()
         raise InputError(
             f"{name}: the pixel at x {x}, y {y}, of the colour {colour}, belongs to a thing that "
             "the source does not show; add it there, or let paint go anywhere with --labels no"

@@ -102,12 +102,13 @@ def weights_of(
             parameter="guide_weights",
         )
     weights = guide_weights(options)
-    if any(weight != int(weight) or weight < 0 for weight in weights):
+    if not all(weight.is_integer() and weight >= 0 for weight in weights):
         raise InputError(
             "must be a whole number from 0 with --method realtime; 0 leaves a guide out",
             parameter="guide_weights",
         )
-    return tuple(int(weights[buffers.guide_of[name]]) for name in packing.channels)
+    of_buffer = {name: int(weights[number]) for name, number in buffers.guide_of.items()}
+    return tuple(of_buffer.get(name, 1) for name in packing.channels)  # IDMASK may be of no guide
 
 
 def _role(path):

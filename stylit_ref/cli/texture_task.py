@@ -102,7 +102,7 @@ def _fitted_to_known(path, hole, params):
 
 def _tiling(options, params, picture):
     height, width = picture.shape[:2]
-    band = min(64, min(height, width) // 4) if options.band is None else options.band
+    band = max(1, min(64, min(height, width) // 4)) if options.band is None else options.band
     return Task(
         lambda progress: make_tileable(
             picture, band, params, seed=options.seed, threads=options.threads, progress=progress

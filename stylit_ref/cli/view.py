@@ -36,7 +36,8 @@ anew. Places are degrees to the right and upwards from the middle of the grid. F
   stylit-ref view --from build/run --at 2.5,1.25 --output picture.png
   stylit-ref view --from build/run --path '-5,0 5,0' --output turning.webp
 
-The RUN must hold a mesh, or positions, and cameras; docs/how_to/views_between.md explains it."""
+The RUN must hold a mesh or positions, and cameras; or motion between all neighbours.
+docs/how_to/views_between.md explains it."""
 
 
 def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:

@@ -34,13 +34,7 @@ def replay_realtime(field: RealtimeField, style: NDArray[Value]) -> NDArray[Valu
     InputError
         If the style has another size, type or shape.
     """
-    style = as_array(style, "style")
-    if style.dtype not in (np.uint8, np.uint16, np.float32) or style.ndim != 3 or not style.size:
-        raise InputError(
-            f"is {style.dtype} of shape {style.shape}; it must be uint8, uint16 or float32 of "
-            "shape (H, W, channels)",
-            parameter="style",
-        )
+    style = _checked(style)
     scale = max(style.shape[0] // field.style_size[0], 1)
     if style.shape[:2] != tuple(scale * side for side in field.style_size):
         raise InputError(
@@ -60,8 +54,62 @@ def replay_realtime(field: RealtimeField, style: NDArray[Value]) -> NDArray[Valu
             y = scale * centre[..., 0] + row_step[:, None]
             x = scale * centre[..., 1] + column_step
             total += style[y.clip(0, style.shape[0] - 1), x.clip(0, style.shape[1] - 1)]
-    mean = total / 4
-    return (mean if style.dtype == np.float32 else np.floor(mean + 0.5)).astype(style.dtype)
+    return _as_colours(total / 4, style.dtype)
+
+
+def replay_dense(nnf: NDArray[np.int32], style: NDArray[Value], patch_width: int) -> NDArray[Value]:
+    """Average a style image through a dense NNF, as ``dense_finish`` does, at its own bit depth.
+
+    Parameters
+    ----------
+    nnf : (H_B, W_B, 2) int32
+        From :meth:`stylit_ref.realtime.session.Session.dense_nnf`.
+    style : (H_A, W_A, n) uint8, uint16 or float32
+    patch_width : int
+
+    Returns
+    -------
+    (H_B, W_B, n) of the style's dtype
+        Means of integers are rounded half up.
+
+    Raises
+    ------
+    InputError
+        If the style has another type or shape.
+    """
+    style = _checked(style)
+    height, width = nnf.shape[:2]
+    total, patches = np.zeros((height, width, style.shape[2])), np.zeros((height, width, 1))
+    steps = range(-(patch_width // 2), patch_width // 2 + 1)
+    for step_y in steps:
+        for step_x in steps:
+            shown = _overlap(height, step_y), _overlap(width, step_x)
+            centre = nnf[_overlap(height, -step_y), _overlap(width, -step_x)]
+            y = (centre[..., 0] + step_y).clip(0, style.shape[0] - 1)
+            x = (centre[..., 1] + step_x).clip(0, style.shape[1] - 1)
+            total[shown] += style[y, x]
+            patches[shown] += 1
+    return _as_colours(total / patches, style.dtype)
+
+
+def _overlap(side: int, step: int) -> slice:
+    """Along a side, the pixels that are ``step`` behind another one."""
+    return slice(max(step, 0), max(side + min(step, 0), 0))
+
+
+def _checked(style: NDArray[Value]) -> NDArray[Value]:
+    style = as_array(style, "style")
+    if style.dtype not in (np.uint8, np.uint16, np.float32) or style.ndim != 3 or not style.size:
+        raise InputError(
+            f"is {style.dtype} of shape {style.shape}; it must be uint8, uint16 or float32 of "
+            "shape (H, W, channels)",
+            parameter="style",
+        )
+    return style
+
+
+def _as_colours(mean: NDArray[np.float64], dtype: "np.dtype[Value]") -> NDArray[Value]:
+    return (mean if dtype == np.float32 else np.floor(mean + 0.5)).astype(dtype)
 
 
 def _entries(

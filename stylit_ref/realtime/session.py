@@ -48,7 +48,7 @@ class FrameCancelledError(Exception):
 class Session:
     """A source and a target, of which any part may change between two frames.
 
-    Several threads may call a session: they wait for each other.
+    Several threads may call sessions: they wait for each other, whichever session they call.
 
     Parameters
     ----------
@@ -62,12 +62,10 @@ class Session:
 
     Attributes
     ----------
-    params : RealtimeParams
     seed : int
         A frame is given by it, the inputs and, if it starts warm, the NNF before it.
     """
 
-    params: RealtimeParams
     seed: int
 
     def __init__(
@@ -79,10 +77,12 @@ class Session:
         passes: Passes = cpu_passes,
     ) -> None:
         check_seed(seed)
-        self.params, self.seed = as_realtime_params(params), seed
+        with using_threads(threads):
+            pass  # or InputError
+        self._params, self.seed = as_realtime_params(params), seed
         self._threads, self._free_threads = threads, FreeThreads()
         self._passes = passes
-        self._stop = np.zeros(1, np.uint8)
+        self._stop, self._cancelled = np.zeros(1, np.uint8), 0
         self._exemplar: Exemplar | None = None
         self._refinement: Refinement | None = None
         self._target: Target | None = None
@@ -93,6 +93,11 @@ class Session:
         self._seed_of_kept = seed
         self._has_frame = False
         self._dense: NDArray[np.int32] | None = None
+
+    @property
+    def params(self) -> RealtimeParams:
+        """Parameters; other ones need another session."""
+        return self._params
 
     def set_exemplar(
         self,
@@ -129,17 +134,18 @@ class Session:
                 self._check_known(labels, self._labels, "source_labels")
             layout = Layout(self.params, guides.shape[2], self._passes)
             refinement = Refinement(layout, self._weights_for(layout.channels))
-            known = self._exemplar
-            if known is None or (known.size, known.layout) != (size, layout):
-                self._exemplar = Exemplar(*size, layout)
-                self._has_frame = False
-            self._exemplar.set_guides(guides)
-            self._exemplar.set_style(style)
-            self._exemplar.join()
-            self._exemplar.set_labels(labels)
-            self._refinement, self._kept = refinement, None
+            # There is none if an interruption comes before the last line: never half of one.
+            exemplar, self._exemplar = self._exemplar, None
+            if exemplar is None or (exemplar.size, exemplar.layout) != (size, layout):
+                exemplar, self._has_frame = Exemplar(*size, layout), False
+            exemplar.set_guides(guides)
+            exemplar.set_style(style)
+            exemplar.join()
+            exemplar.set_labels(labels)
             if self._target is not None:
-                self._target.set_labels(self._labels, self._exemplar.has_label)
+                self._target.set_labels(self._labels, exemplar.has_label)
+            self._refinement, self._kept = refinement, None
+            self._exemplar = exemplar
 
     def set_style(self, style: NDArray[np.uint8]) -> None:
         """Take another A' of the same size, (height, width, 3) uint8.
@@ -261,6 +267,7 @@ class Session:
         InputError
             If there is no source or target, or no frame that a warm one can start from.
         """
+        cancelled = self._cancelled
         with self._turn():
             exemplar, target = self._needs_exemplar(), self._needs_target()
             if seed is None:
@@ -273,6 +280,9 @@ class Session:
                     parameter="warm",
                 )
             self._stop[0] = 0
+            if self._cancelled != cancelled:  # while the frame waited for its turn
+                self._stop[0] = 1
+                self._heed_cancel()
             levels, last = self.params.levels, 0
             top = levels - 1 if kept is None else kept - 1
             if warm:
@@ -295,6 +305,7 @@ class Session:
                         refine(exemplar, target, self._refinement, nnf[:1], 0, seed, self._stop)
                     self._heed_cancel()
                 dense = self._dense_of(nnf[0]) if self.params.dense_finish else None
+                self._heed_cancel()
                 picture = self._blended(nnf[0]) if dense is None else self._voted(dense)
                 self._heed_cancel()
             self._nnf, self._has_frame, self._dense = nnf, True, dense
@@ -320,7 +331,8 @@ class Session:
     def dense_nnf(self) -> NDArray[np.int32]:
         """The last frame's NNF with a match for every pixel: y and x of the source.
 
-        It is that of the picture with ``dense_finish``; without, it is made for this call.
+        It is that of the picture with ``dense_finish``; without, it is made for this call, of the
+        inputs as they are.
 
         Returns
         -------
@@ -341,7 +353,11 @@ class Session:
             return places_of(self._finished())
 
     def cancel(self) -> None:
-        """End a frame that another thread computes, at once, with :class:`FrameCancelledError`."""
+        """End the frames that other threads compute or wait for, with :class:`FrameCancelledError`.
+
+        A search ends at once; ``dense_finish`` is a pass that is done to its end.
+        """
+        self._cancelled += 1
         self._stop[0] = 1
 
     @property
@@ -390,6 +406,8 @@ class Session:
         return picture
 
     def _finished(self):
+        if not self.params.dense_finish:
+            return self._dense_of(self._nnf[0])
         if self._dense is None:
             self._dense = self._dense_of(self._nnf[0])
         return self._dense
@@ -427,8 +445,8 @@ class Session:
         if self._target is None or target.size != self._target.size:
             self._has_frame, self._nnf = False, []
             self._free_threads.forget()
-        self._target, self._labels, self._kept = target, labels, None
         target.set_labels(labels, self._needs_exemplar().has_label)
+        self._target, self._labels, self._kept = target, labels, None
 
     def _checked_labels(self, labels, target):
         labels = check_labels(labels if self.params.labels else None, target.size, "target_labels")
@@ -440,7 +458,7 @@ class Session:
             return
         if source is None:
             raise InputError(
-                "are given for the target alone; give them for the source too, or for neither",
+                "are given for the target alone; give them for both sides, or for neither",
                 parameter=parameter,
             )
         known, found = np.zeros((2, 256), np.bool_)
@@ -450,7 +468,7 @@ class Session:
         if unknown.size:
             raise InputError(
                 f"have {unknown[0]} in the target, but not in the source; add a pixel of it to the "
-                f"source, or leave labels out",
+                "source, leave labels out, or set a target without labels before both sides change",
                 parameter=parameter,
             )
 

@@ -158,6 +158,11 @@ def make_tileable(
     picture = with_channels(image, "the image")
     height, width = picture.shape[:2]
     most = (min(height, width) - 1) // 2
+    if most < 1:
+        raise InputError(
+            f"the picture has {width} x {height} pixels; it needs at least 3 x 3, so that some "
+            "stay as they are between the borders"
+        )
     if not isinstance(band, Integral) or not 1 <= band <= most:
         raise InputError(
             f"is {shown(band)}; for {width} x {height} pixels it must be an integer from 1 to "

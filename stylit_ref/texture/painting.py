@@ -3,12 +3,15 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from stylit_ref.parameters import Integer
 from stylit_ref.randomness.random_stream import WHITE_NOISE
 from stylit_ref.texture.beginning import noise_of
 from stylit_ref.texture.checks import check_exemplar, check_lock
 from stylit_ref.texture.iteration import Iteration
 from stylit_ref.texture.passes.layout import LOCKED
 from stylit_ref.texture.session import TextureSession
+
+_ITERATIONS = Integer(1, 1 << 30)
 
 
 def paint(
@@ -28,7 +31,7 @@ def paint(
     exemplar : int
         Its number, from 1.
     iterations : int
-        How many to do at once.
+        How many to do at once, at least 1.
 
     Returns
     -------
@@ -37,8 +40,9 @@ def paint(
     Raises
     ------
     InputError
-        If the mask has another size, or there is no such exemplar.
+        If the mask has another size, there is no such exemplar, or no iteration.
     """
+    iterations = _ITERATIONS.check("iterations", iterations)
     texture = session.texture
     brushed = check_lock(mask, session.size, "mask") & ~texture.lock & LOCKED
     label = check_exemplar(exemplar, session.exemplars.images)

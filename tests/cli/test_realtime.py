@@ -108,6 +108,7 @@ def test_a_deep_style_with_alpha_keeps_both(folders):
                               "realtime, so leave it out"),
         (["--backend", "auto"], "--backend is for --method ref"),
         (["--weight", 0.5], "--weight must be a whole number from 0 with --method realtime"),
+        (["--weight", "inf"], "--weight must be a whole number from 0 with --method realtime"),
         (["--packing", "pca", "--weight", 2], "--weight cannot be given with --packing pca"),
         (["--pyramid-levels", "all"], "--pyramid-levels is 'all'; it must be an integer"),
         (["--radii", ","], "--radii: is ','"),
@@ -140,6 +141,38 @@ def test_a_thing_that_the_source_lacks_is_refused_by_its_place(folders, capsys):
     message = refused(capsys, call(folders, "--packing", "pca"))
     assert "the pixel at x 7, y 3, of the colour 1, 2, 3, belongs to a thing" in message
     assert call(folders, "--packing", "pca", "--labels", "no") == 0
+
+
+def test_a_shadow_that_the_source_lacks_is_refused_by_its_place(folders, capsys):
+    lit = np.full((38, 50, 3), (0, 255, 0), np.uint8)
+    lit[0, 0] = 255, 0, 0
+    write_image(folders / "source" / "LIGHTMASK.png", lit)
+    lit[3, 7] = 0, 0, 255
+    write_image(folders / "golem" / "LIGHTMASK.png", lit)
+    layers = LAYERS.replace(",IDMASK", "")
+    assert call(folders, "--packing", "packed", layers=layers) == 2
+    message = capsys.readouterr().err
+    assert "golem/LIGHTMASK.png: the pixel at x 7, y 3, of the colour 0, 0, 255" in message
+
+
+def test_weights_do_not_ask_for_a_guide_of_things(folders):
+    layers = LAYERS.replace(",IDMASK", "")
+    assert call(folders, "--packing", "packed", "--weight", 1, layers=layers) == 0
+    once = read_uint8(folders / "out.png")
+    assert call(folders, "--packing", "packed", layers=layers) == 0
+    assert np.array_equal(read_uint8(folders / "out.png"), once)
+
+
+def test_a_dense_finish_is_kept_for_a_style_of_another_depth(folders, capsys):
+    style = read_uint8(folders / "style.png")
+    write_image(folders / "deep.png", style.astype(np.uint16) * 257)
+    assert call(folders, "--dense-finish", "yes", "--nnf", folders / "nnf.npy") == 0
+    assert "--nnf keeps the matches before --dense-finish" in capsys.readouterr().err
+    shallow = read_uint8(folders / "out.png")
+    assert call(folders, "--dense-finish", "yes", style="deep.png") == 0
+    deep = read_image(folders / "out.png")
+    assert deep.dtype == np.uint16
+    assert np.abs(deep / 257 - shallow).max() <= 0.5
 
 
 def test_a_start_of_another_run_is_refused(folders, capsys):

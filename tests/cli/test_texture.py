@@ -34,6 +34,7 @@ def folder(tmp_path):
     for number in range(3):
         write_image(tmp_path / f"{number}.png", spots(number))
     write_image(tmp_path / "grey.png", spots(4, channels=1))
+    write_image(tmp_path / "thin.png", spots(6)[:2, :9])
     write_image(tmp_path / "deep.png", spots(5).astype(np.uint16) * 250)
     labels = np.zeros((40, 56), np.uint8)
     labels[10:30, 10:40] = 200
@@ -296,6 +297,7 @@ REFUSALS = [
     (["--exemplar", "0.png", "--size", "20x20", "--mask", "hole.png"], "--mask is for --complete"),
     (["--exemplar", "0.png", "--size", "20x20", "--band", 3], "--band is for --tile-in-place"),
     (["--tile-in-place", "0.png", "--band", 24], "--band is 24; for 48 x 48 pixels it must be"),
+    (["--tile-in-place", "thin.png"], "the picture has 9 x 2 pixels; it needs at least 3 x 3"),
     (["--tile-in-place", "0.png", "--size", "9x9"], "--size cannot be given with --tile-in-place"),
     (["--tile-in-place", "0.png", "--exemplar", "1.png"], "--exemplar cannot be given with"),
     (["--tile-in-place", "0.png", "--complete", "1.png"], "--complete and --tile-in-place"),

@@ -6,6 +6,7 @@ from small_realtime import make_case, make_session
 
 from stylit_ref.errors import InputError
 from stylit_ref.realtime.params import RealtimeParams
+from stylit_ref.realtime.replaying import replay_dense
 
 
 def patch(image, y, x, radius):
@@ -68,6 +69,7 @@ def test_against_patches_as_arrays(width, mu, labelled, source, target):
     assert np.array_equal(session.dense_nnf(), expected)
     assert np.array_equal(plain.dense_nnf(), expected)
     assert np.array_equal(picture, brute_vote(expected, case.style, width // 2))
+    assert np.array_equal(replay_dense(expected, case.style, width), picture)
 
 
 def test_a_replay_votes_with_the_matches_of_the_frame():
@@ -78,6 +80,28 @@ def test_a_replay_votes_with_the_matches_of_the_frame():
     session.set_style(255 - case.style)
     assert np.abs(session.replay().astype(int) - (255 - picture)).max() <= 1
     assert np.array_equal(session.dense_nnf(), dense)
+
+
+def test_without_it_the_dense_nnf_is_of_the_inputs_as_they_are():
+    case = make_case()
+    asked, other = make_session(case), make_session(case)
+    asked.frame()
+    other.frame()
+    before = asked.dense_nnf()
+    for session in (asked, other):
+        session.set_target(case.target[::-1].copy(), case.target_labels[::-1].copy())
+    assert np.array_equal(asked.dense_nnf(), other.dense_nnf())
+    assert not np.array_equal(asked.dense_nnf(), before)
+
+
+def test_a_dense_replay_keeps_depth_and_channels():
+    case = make_case()
+    session = make_session(case, RealtimeParams(dense_finish=True))
+    picture = session.frame()
+    grey = case.style[:, :, :1].astype(np.uint16) * 257
+    replayed = replay_dense(session.dense_nnf(), grey, 5)
+    assert (replayed.dtype, replayed.shape) == (np.uint16, (*picture.shape[:2], 1))
+    assert np.abs(replayed[..., 0] / 257 - picture[..., 0]).max() <= 0.5
 
 
 def test_it_does_not_depend_on_threads():

@@ -10,8 +10,9 @@ from small_realtime import make_case, make_session
 
 from stylit_ref.errors import InputError
 from stylit_ref.realtime import passes
+from stylit_ref.realtime.exemplar import Exemplar
 from stylit_ref.realtime.params import REALTIME_PRESETS, RealtimeParams
-from stylit_ref.realtime.session import FrameCancelledError, Session
+from stylit_ref.realtime.session import _TURN, FrameCancelledError, Session
 
 PRESETS = list(REALTIME_PRESETS)
 
@@ -231,6 +232,69 @@ def test_cancelling_ends_a_frame_and_leaves_the_last_state():
     thread.join()
     assert len(ended) == 1
     assert np.array_equal(session.nnf, quick.nnf)
+
+
+def test_a_frame_that_waits_is_cancelled_too():
+    case = make_case()
+    session = make_session(case)
+    expected, ended = session.frame(), []
+
+    def compute():
+        try:
+            session.frame(seed=9)
+        except FrameCancelledError:
+            ended.append(True)
+
+    thread = Thread(target=compute)
+    with _TURN:
+        thread.start()
+        time.sleep(0.1)
+        session.cancel()
+    thread.join()
+    assert ended == [True]
+    assert session.seed == 5
+    assert np.array_equal(session.frame(), expected)
+
+
+def test_an_interrupted_exemplar_is_not_there(monkeypatch):
+    case = make_case()
+    session = make_session(case)
+    expected = session.frame()
+
+    def interrupted(*_):
+        raise KeyboardInterrupt
+
+    larger = make_case((50, 51))
+    with monkeypatch.context() as patched:
+        patched.setattr(Exemplar, "set_labels", interrupted)
+        with pytest.raises(KeyboardInterrupt):
+            session.set_exemplar(larger.guides, larger.style, larger.labels)
+    with pytest.raises(InputError, match="exemplar is not set"):
+        session.frame()
+    session.set_exemplar(case.guides, case.style, case.labels)
+    assert np.array_equal(session.frame(), expected)
+
+
+def test_both_sides_change_their_labels_by_way_of_a_target_without():
+    case = make_case()
+    session = make_session(case)
+    expected = session.frame()
+    labels, target_labels = (np.where(side == 3, 7, 8).astype(np.uint8)
+                             for side in (case.labels, case.target_labels))  # fmt: skip
+    with pytest.raises(InputError, match="set a target without labels before both sides change"):
+        session.set_exemplar(case.guides, case.style, labels)
+    session.set_target(case.target)
+    session.set_exemplar(case.guides, case.style, labels)
+    session.set_target(case.target, target_labels)
+    assert np.array_equal(session.frame(), expected)
+
+
+def test_what_a_session_cannot_change_is_refused():
+    session = make_session(make_case())
+    with pytest.raises(AttributeError):
+        session.params = RealtimeParams(levels=2)
+    with pytest.raises(InputError, match="threads is 0; it must be an integer of at least 1"):
+        Session(threads=0)
 
 
 def test_threads_wait_for_each_other():

@@ -77,6 +77,15 @@ def test_strokes_that_do_not_fit_are_refused(mask, exemplar, said):
     assert str(error.value).startswith(said)
 
 
+@pytest.mark.parametrize("iterations", [0, -1, 2.5])
+def test_iterations_are_checked_before_anything_is_painted(iterations):
+    session = begun()
+    before = session.coordinates.copy()
+    with pytest.raises(InputError, match=r"iterations is .*; it must be an integer from 1"):
+        paint(session, STROKE, 2, iterations)
+    assert np.array_equal(session.coordinates, before)
+
+
 def test_the_overlay_shows_seams_and_the_next_patches():
     session, other = begun(), begun()
     picture = overlay(session)

@@ -14,7 +14,7 @@ GOALS = {
 """Milliseconds of a preset and what is waited for, at most, by the sides of table 1."""
 
 OPTIMIZED_GOAL = 43.0
-"""Milliseconds of the thesis' optimized method at 1000x1000, where its graphics card took as many."""
+"""Milliseconds of the thesis' optimized method at 1000x1000: those of its graphics card."""
 
 
 def claims_of_ours(plan):

@@ -68,7 +68,7 @@ def lane_weights(
     if max(*guides, style) > LARGEST_WEIGHT:
         raise InputError(
             f"give a weight of {max(*guides, style)} where mu is {mu} / {MU_ONE}; it must be at "
-            f"most {LARGEST_WEIGHT}; use smaller ones, or ones with a common divisor",
+            f"most {LARGEST_WEIGHT}; use smaller ones, ones with a common divisor, or another mu",
             parameter="weights",
         )
     weights = np.zeros(lanes, np.int16)
@@ -89,7 +89,7 @@ def check_sum(weights: NDArray[np.int16], pixels: int) -> None:
     """
     if int(weights.sum()) * pixels * 255**2 > _LARGEST_SUM:
         raise InputError(
-            "are too large for patches of this width; use smaller weights, or a smaller "
-            "patch_width",
+            "are too large for patches of this width; use smaller weights, another mu, or a "
+            "smaller patch_width",
             parameter="weights",
         )

@@ -9,7 +9,7 @@ from stylit_ref.errors import InputError
 from stylit_ref.parameters import Choice
 from stylit_ref.realtime.packing.packed import Packing
 from stylit_ref.realtime.packing.principal import PrincipalPacking
-from stylit_ref.realtime.packing.stage import STAGE_BUFFERS, StagePacking
+from stylit_ref.realtime.packing.stage import COLOURED, STAGE_BUFFERS, StagePacking
 from stylit_ref.realtime.packing.unpacked import UnpackedStage
 from stylit_ref.realtime.params import PACKINGS
 
@@ -54,6 +54,8 @@ def choose_packing(buffers: Mapping[str, NDArray[np.uint8]], how: str = "auto") 
 def _is_stage(buffers):
     """Whether the packing of the thesis loses nothing of these buffers."""
     if set(buffers) != set(STAGE_BUFFERS):
+        return False
+    if any(buffers[name].ndim < 3 or buffers[name].shape[2] < 3 for name in COLOURED):
         return False
     return all(_difference(buffers[name], one, other) < _ALIKE for name, one, other in _SAME)
 

@@ -72,21 +72,25 @@ def views_of_run(run: Run | str | Path, *, band: float = BAND) -> ViewInterpolat
 
 def _fields(run: Run, rows: int, columns: int) -> FieldsGeometry:
     """The motion of the RUN itself, where it knows nothing of the scene."""
-    missing = [pair for pair in grid_pairs(rows, columns) if pair not in run.pairs]
+    known = [bool(camera) for camera in run.cameras]
+    grid = _orbit(run, rows, columns).grid if all(known) else grid_of_steps(rows, columns)
+    pairs = list(grid_pairs(rows, columns))
+    if grid.columns.is_ring:
+        ends = [(row * columns, (row + 1) * columns - 1) for row in range(rows)]
+        pairs += [pair for first, last in ends for pair in ((first, last), (last, first))]
+    missing = [pair for pair in pairs if pair not in run.pairs]
     if missing:
         raise InputError(
             f"{run.folder}: holds neither a mesh, nor positions of all views, nor the motion "
-            "between all neighbours; name one in the manifest of 'stylit-ref views', and do the "
-            "run again"
+            f"between all neighbours, such as that from {run.names[missing[0][0]]} to "
+            f"{run.names[missing[0][1]]}; name one in the manifest of 'stylit-ref views', and do "
+            "the run again"
         )
     note(
         f"{run.folder}: holds neither a mesh nor positions, so views between others move by the "
         "motion of their neighbours; a mesh in the manifest is more exact"
     )
-    edges = {pair: run.motion(*pair) for pair in grid_pairs(rows, columns)}
-    known = [bool(camera) for camera in run.cameras]
-    grid = _orbit(run, rows, columns).grid if all(known) else grid_of_steps(rows, columns)
-    return FieldsGeometry(edges, grid, run.size)
+    return FieldsGeometry({pair: run.motion(*pair) for pair in pairs}, grid, run.size)
 
 
 def _orbit(run: Run, rows: int, columns: int) -> Orbit:
@@ -143,8 +147,9 @@ def _splatted(run: Run, orbit: Orbit, mesh: Mesh) -> PositionsGeometry:
 
 
 def _check_mesh(run: Run, orbit: Orbit, mesh: Mesh) -> None:
-    """Refuse a mesh, or cameras, that tell another motion than the RUN holds."""
-    for to, other in run.pairs[:1]:
+    """Refuse a mesh, or the camera of any view, that tells another motion than the RUN holds."""
+    one_of_each = {to: (to, other) for to, other in reversed(run.pairs)}
+    for to, other in one_of_each.values():
         motion = run.motion(to, other)
         matrices = [orbit.cameras[frame].matrix(run.size) for frame in (to, other)]
         _, inverse = look_at_mesh(mesh, orbit.cameras[to], run.size)

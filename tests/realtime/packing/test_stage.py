@@ -3,8 +3,19 @@
 import numpy as np
 import pytest
 
-from stylit_ref.realtime.packing import StagePacking, UnpackedStage, pack
-from stylit_ref.realtime.packing.stage import BACKGROUND, CAST_SHADOW, FOREGROUND, STAGE_BUFFERS
+from stylit_ref.realtime.packing import (
+    PrincipalPacking,
+    StagePacking,
+    UnpackedStage,
+    choose_packing,
+    pack,
+)
+from stylit_ref.realtime.packing.stage import (
+    BACKGROUND,
+    CAST_SHADOW,
+    FOREGROUND,
+    STAGE_BUFFERS,
+)
 
 SIZES = [(1, 1), (1, 9), (7, 1), (13, 22)]
 
@@ -99,3 +110,10 @@ def test_buffers_may_be_views_of_other_arrays():
 def test_every_byte_has_a_buffer_to_be_weighted_by():
     assert len(StagePacking.channels) == 10
     assert set(StagePacking.channels) == set(StagePacking.names)
+
+
+def test_a_light_mask_in_grey_is_not_taken_for_a_stage():
+    grey = np.random.default_rng(1).integers(0, 256, (9, 8, 1), np.uint8)
+    buffers = {name: np.repeat(grey, 3, axis=2) for name in STAGE_BUFFERS}
+    assert isinstance(choose_packing(buffers), StagePacking)
+    assert isinstance(choose_packing({**buffers, "LIGHTMASK": grey}), PrincipalPacking)

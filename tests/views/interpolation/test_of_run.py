@@ -60,6 +60,19 @@ def test_a_mesh_of_another_scene_is_refused(tmp_path):
         views_of_run(run)
 
 
+def test_a_wrong_camera_of_any_view_is_refused(tmp_path):
+    wrong = FACTS[5] | {"field_of_view": 2 * FACTS[5]["field_of_view"]}
+    with pytest.raises(InputError, match=r"do not match its motion, .* from 5 to "):
+        views_of_run(write_run(tmp_path, facts=[*FACTS[:5], wrong]))
+
+
+def test_a_ring_of_fields_needs_the_motion_from_the_last_view_to_the_first(tmp_path):
+    cameras = cameras_of_grid((0, 90, 180, 270), (10,))
+    run = write_run(tmp_path, cameras, (1, 4), holds="nothing")
+    with pytest.raises(InputError, match="the motion between all neighbours, such as that from 0 "):
+        views_of_run(run)
+
+
 def test_a_run_that_tells_nothing_of_motion_is_refused(tmp_path):
     with pytest.raises(InputError, match="holds neither a mesh, nor positions of all views, nor"):
         views_of_run(write_run(tmp_path, holds="nothing", has_motion=False))
