@@ -126,6 +126,35 @@ def test_limited_search_waits_until_the_drawing_rests(open_page, page_file):
     assert page.page.locator("#rate").text_content().endswith("frames a second")
 
 
+PACES = """(frames) => {
+  const pace = new window.stylitViewer.viewer.pace.constructor();
+  for (const [asked, begun, drawn] of frames) pace.moved(asked, begun, drawn, true);
+  return [pace.framesPerSecond, pace.isSlow];
+}"""
+
+
+@pytest.mark.parametrize(
+    ("frames", "expected"),
+    [
+        ([(150 * k, 150 * k, 150 * k + 5) for k in range(9)], [None, True]),  # a key is tapped
+        ([(100 * k - 1, 100 * k, 100 * k + 98) for k in range(9)], [10, True]),
+        ([(20 * k - 4, 20 * k, 20 * k + 5) for k in range(9)], [50, False]),
+    ],
+)
+def test_the_rate_is_that_of_the_machine_and_not_of_the_hand(
+    open_page, page_file, frames, expected
+):
+    assert open_page(page_file).started().page.evaluate(PACES, frames) == expected
+
+
+def test_a_still_that_cannot_be_saved_leaves_the_drawing(open_page, page_file):
+    page = open_page(page_file).rested().page
+    page.evaluate("window.stylitViewer.viewer.use(null)")
+    page.click("#save")
+    page.wait_for_function("document.getElementById('waiting').textContent.startsWith('Views are')")
+    assert page.is_visible("#drawing")
+
+
 def test_a_lost_context_comes_back_with_the_same_picture(open_page, page_file):
     page = open_page(page_file, "?engine=webgl").rested()
     before = page.draws((0.5, 1.0), "fade", "mixed", "searched")

@@ -16,7 +16,7 @@
     let before = 0;
     let finger = null;
     canvas.addEventListener("pointerdown", (event) => {
-      if (finger !== null) return;
+      if (finger !== null || event.button !== 0) return;
       finger = event.pointerId;
       canvas.setPointerCapture(finger);
       speed = [0, 0];
@@ -42,6 +42,7 @@
     };
     canvas.addEventListener("pointerup", release);
     canvas.addEventListener("pointercancel", release);
+    canvas.addEventListener("lostpointercapture", release);
     const glide = (now) => {
       if (finger !== null || Math.hypot(...speed) < 1e-3) return;
       const time = Math.min(Math.max(now - before, 0), 50);
@@ -60,6 +61,7 @@
         const [right, up] = grid.spacing;
         turned.by(arrow[0] * steps * right, arrow[1] * steps * up);
       } else return;
+      speed = [0, 0];
       event.preventDefault();
     });
   }
@@ -517,7 +519,7 @@
       const row = b * ((y + 0.5) * step - 0.5) + c;
       for (let x = Math.max(Math.ceil(left), 0); x <= Math.min(Math.floor(right), width - 1); x++) {
         const depth = Math.fround(a * ((x + 0.5) * step - 0.5) + row);
-        if (depth <= inverse[y * width + x]) continue;
+        if (!(depth > inverse[y * width + x])) continue;
         inverse[y * width + x] = depth;
         faces[y * width + x] = face;
       }
@@ -643,6 +645,7 @@
           const from = inverse[p + d] < inverse[p - d] ? p + d : p - d;
           all.faces[p] = faces[from];
           all.inverse[p] = inverse[from];
+          break;
         }
       }
     return all;
@@ -1347,6 +1350,7 @@ void main() {
     uvec2 one = texelFetch(sparse, p - d, 0).xy, other = texelFetch(sparse, p + d, 0).xy;
     if (one.x == ${SKY}u || other.x == ${SKY}u) continue;
     surface = uintBitsToFloat(other.y) < uintBitsToFloat(one.y) ? other : one;
+    return;
   }
 }`;
   var COPY = `
@@ -1745,11 +1749,12 @@ void main() {
     const engine = given.get("engine");
     return {
       view: given.has("view") && view.length === 2 && view.every(Number.isFinite) ? view : null,
-      mode: mode in MODES ? mode : null,
-      motion: motion in STEPS ? motion : "full",
+      mode: isOneOf(mode, MODES) ? mode : null,
+      motion: isOneOf(motion, STEPS) ? motion : "full",
       engine: engine === "webgl" || engine === "script" ? engine : null
     };
   }
+  var isOneOf = (name, table) => Object.keys(table).includes(name);
 
   // src/pixels.ts
   function toRgba(colours) {
@@ -1957,15 +1962,19 @@ void main() {
   var SLOW = 50;
   var REMEMBERED = 8;
   var ENOUGH = 3;
+  var PROMPT = 20;
   var Pace = class {
     intervals = [];
     last = null;
+    /** When the last frame was handed to the browser. */
+    drawn = 0;
     /** Milliseconds of a frame with all passes; 0 as long as none was drawn. */
     whole = 0;
-    /** A frame was drawn in motion, with all passes or without. */
-    moved(now, isWhole) {
-      this.intervals = this.last === null ? [] : [...this.intervals, now - this.last].slice(-REMEMBERED);
-      this.last = now;
+    /** A frame was drawn in motion, with all passes or without: when it was asked for, begun and drawn. */
+    moved(asked, begun, drawn, isWhole) {
+      const isPrompt = this.last !== null && asked - this.drawn < PROMPT;
+      this.intervals = isPrompt ? [...this.intervals, begun - this.last].slice(-REMEMBERED) : [];
+      [this.last, this.drawn] = [begun, drawn];
       if (isWhole && this.intervals.length >= ENOUGH) this.whole = this.interval;
     }
     /** The motion has ended; a frame with all passes may have been drawn since. */
@@ -2002,6 +2011,7 @@ void main() {
     told;
     engine = null;
     isDirty = false;
+    asked = 0;
     isMoving = true;
     // so the first picture is quick, and the rest follows
     restTimer = 0;
@@ -2039,7 +2049,7 @@ void main() {
     /** Draw a place at once with all passes, whatever the pace; views must be there. */
     drawNow(mode = this.mode) {
       const moment = this.moment(mode);
-      if (!moment || !this.engine) throw new Error("views are still to come");
+      if (!moment || !this.engine) throw new PageError("Views are still to come. Try again in a moment.");
       this.engine.draw(moment);
       return this.engine;
     }
@@ -2050,7 +2060,15 @@ void main() {
     ask() {
       if (this.isDirty) return;
       this.isDirty = true;
-      requestAnimationFrame((now) => this.frame(now));
+      this.asked = performance.now();
+      requestAnimationFrame((now) => this.tried(() => this.frame(now)));
+    }
+    tried(step) {
+      try {
+        step();
+      } catch (error) {
+        this.told.fails(error);
+      }
     }
     frame(now) {
       this.isDirty = false;
@@ -2059,7 +2077,7 @@ void main() {
       const moment = this.moment(waits ? quick(this.mode) : this.mode);
       if (!moment) {
         const needed = this.needed;
-        this.store.arrived(needed).then(() => this.ask(), (error) => this.told.fails(error));
+        this.store.arrived(needed).then(() => this.ask(), (error) => this.told.lacks(error));
         return;
       }
       this.told.waits(waits ? this.mode : null);
@@ -2067,8 +2085,8 @@ void main() {
       this.firstDrawn ??= performance.now();
       clearTimeout(this.restTimer);
       if (this.isMoving) {
-        this.pace.moved(now, !waits);
-        this.restTimer = setTimeout(() => this.rest(waits), REST);
+        this.pace.moved(this.asked, now, performance.now(), !waits);
+        this.restTimer = setTimeout(() => this.tried(() => this.rest(waits)), REST);
       }
       this.told.rate(this.pace.framesPerSecond);
     }
@@ -2119,21 +2137,25 @@ void main() {
     const mode = parameters.mode && isPossible(parameters.mode) ? parameters.mode : best;
     const store = new Store(data, source);
     const fail = (error) => panel.say(sentence(error));
+    const warn = (error) => panel.tellWaiting(sentence(error));
     const viewer = new Viewer(data, grid, store, parameters.view ?? MIDDLE, mode, parameters.motion, {
       rests: (place) => panel.tellView(placeText(place, data)),
       rate: (framesPerSecond) => panel.tellRate(framesPerSecond),
       waits: (waiting) => panel.tellWaiting(waiting ? "Limited search waits until the drawing rests." : ""),
+      lacks: warn,
       fails: fail
     });
+    let whole = null;
+    engines.onRestored(() => viewer.use(null), () => whole && viewer.use(engines.make(whole)));
     const [stage] = await Promise.all([readStage(data, source), store.arrived(viewer.needed)]);
     panel.offer(hasFields, hasModel, mode, parameters.motion, {
       mode: (chosen2) => viewer.choose(chosen2, viewer.motion),
       motion: (chosen2) => viewer.choose(viewer.mode, chosen2),
-      save: () => void save(panel, viewer, data, stage, source).catch(fail)
+      save: () => void save(panel, viewer, data, stage, source).catch(warn)
     });
     control(panel.canvas, grid, { by: (right, up) => viewer.turn(right, up), home: () => viewer.go(MIDDLE) });
-    engines.onRestored(() => viewer.use(null), () => viewer.use(engines.make(stage)));
     panel.say("");
+    whole = stage;
     viewer.use(engines.make(stage));
     window.stylitViewer = { viewer, store, engines };
   }
@@ -2165,7 +2187,8 @@ void main() {
       canvas.getContext("2d")?.putImageData(image, 0, 0);
     }
     const blob = await new Promise((resolve) => canvas.toBlob(resolve));
-    if (blob) panel.download(blob, "still.png");
+    if (!blob) throw new PageError("The still is too large for this browser. Save it in another one.");
+    panel.download(blob, "still.png");
   }
   function placeText([right, up], { columns }) {
     const told = (value, way, back) => `${Math.abs(value).toFixed(2)} ${columns.unit} ${value < 0 ? back : way}`;

@@ -2,7 +2,7 @@
 
 import type { Grid, Place } from "./grid.js";
 
-/** Told by how much to turn, in degrees; or to go back to where the page began. */
+/** Told by how much to turn, in degrees; or to go to the middle. */
 export interface Turned {
   by(right: number, up: number): void;
   home(): void;
@@ -28,7 +28,7 @@ export function control(canvas: HTMLCanvasElement, grid: Grid, turned: Turned): 
   let finger: number | null = null;
 
   canvas.addEventListener("pointerdown", (event) => {
-    if (finger !== null) return;
+    if (finger !== null || event.button !== 0) return;
     finger = event.pointerId;
     canvas.setPointerCapture(finger);
     speed = [0, 0];
@@ -55,6 +55,7 @@ export function control(canvas: HTMLCanvasElement, grid: Grid, turned: Turned): 
   };
   canvas.addEventListener("pointerup", release);
   canvas.addEventListener("pointercancel", release);
+  canvas.addEventListener("lostpointercapture", release);
 
   const glide = (now: number) => {
     if (finger !== null || Math.hypot(...speed) < 1e-3) return;
@@ -75,6 +76,7 @@ export function control(canvas: HTMLCanvasElement, grid: Grid, turned: Turned): 
       const [right, up] = grid.spacing;
       turned.by(arrow[0] * steps * right, arrow[1] * steps * up);
     } else return;
+    speed = [0, 0]; // a glide would lead away again
     event.preventDefault();
   });
 }

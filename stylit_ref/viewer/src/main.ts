@@ -40,22 +40,26 @@ async function start(panel: Panel): Promise<void> {
 
   const store = new Store(data, source);
   const fail = (error: unknown) => panel.say(sentence(error));
+  const warn = (error: unknown) => panel.tellWaiting(sentence(error));
   const viewer = new Viewer(data, grid, store, parameters.view ?? MIDDLE, mode, parameters.motion, {
     rests: (place) => panel.tellView(placeText(place, data)),
     rate: (framesPerSecond) => panel.tellRate(framesPerSecond),
     waits: (waiting) => panel.tellWaiting(waiting ? "Limited search waits until the drawing rests." : ""),
+    lacks: warn,
     fails: fail,
   });
+  let whole: Stage | null = null;
+  engines.onRestored(() => viewer.use(null), () => whole && viewer.use(engines.make(whole)));
   const [stage] = await Promise.all([readStage(data, source), store.arrived(viewer.needed)]);
 
   panel.offer(hasFields, hasModel, mode, parameters.motion, {
     mode: (chosen) => viewer.choose(chosen, viewer.motion),
     motion: (chosen) => viewer.choose(viewer.mode, chosen),
-    save: () => void save(panel, viewer, data, stage, source).catch(fail),
+    save: () => void save(panel, viewer, data, stage, source).catch(warn),
   });
   control(panel.canvas, grid, { by: (right, up) => viewer.turn(right, up), home: () => viewer.go(MIDDLE) });
-  engines.onRestored(() => viewer.use(null), () => viewer.use(engines.make(stage)));
   panel.say("");
+  whole = stage;
   viewer.use(engines.make(stage));
   window.stylitViewer = { viewer, store, engines };
 }
@@ -91,7 +95,8 @@ async function save(panel: Panel, viewer: Viewer, data: PageData, stage: Stage, 
     canvas.getContext("2d")?.putImageData(image, 0, 0);
   }
   const blob = await new Promise<Blob | null>((resolve) => canvas.toBlob(resolve));
-  if (blob) panel.download(blob, "still.png");
+  if (!blob) throw new PageError("The still is too large for this browser. Save it in another one.");
+  panel.download(blob, "still.png");
 }
 
 function placeText([right, up]: Place, { columns }: PageData): string {

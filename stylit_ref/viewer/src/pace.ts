@@ -4,17 +4,22 @@
 const SLOW = 50;
 const REMEMBERED = 8;
 const ENOUGH = 3;
+/** A frame that is asked for later than this after the one before waited for the hand. */
+const PROMPT = 20;
 
 export class Pace {
   private intervals: number[] = [];
   private last: number | null = null;
+  /** When the last frame was handed to the browser. */
+  private drawn = 0;
   /** Milliseconds of a frame with all passes; 0 as long as none was drawn. */
   private whole = 0;
 
-  /** A frame was drawn in motion, with all passes or without. */
-  moved(now: number, isWhole: boolean): void {
-    this.intervals = this.last === null ? [] : [...this.intervals, now - this.last].slice(-REMEMBERED);
-    this.last = now;
+  /** A frame was drawn in motion, with all passes or without: when it was asked for, begun and drawn. */
+  moved(asked: number, begun: number, drawn: number, isWhole: boolean): void {
+    const isPrompt = this.last !== null && asked - this.drawn < PROMPT;
+    this.intervals = isPrompt ? [...this.intervals, begun - (this.last as number)].slice(-REMEMBERED) : [];
+    [this.last, this.drawn] = [begun, drawn];
     if (isWhole && this.intervals.length >= ENOUGH) this.whole = this.interval;
   }
 

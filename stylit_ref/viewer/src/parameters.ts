@@ -18,8 +18,10 @@ export function readParameters(search: string): Parameters {
   const engine = given.get("engine");
   return {
     view: given.has("view") && view.length === 2 && view.every(Number.isFinite) ? (view as Place) : null,
-    mode: mode in MODES ? (mode as Mode) : null,
-    motion: motion in STEPS ? (motion as Motion) : "full",
+    mode: isOneOf(mode, MODES) ? (mode as Mode) : null,
+    motion: isOneOf(motion, STEPS) ? (motion as Motion) : "full",
     engine: engine === "webgl" || engine === "script" ? engine : null,
   };
 }
+
+const isOneOf = (name: string, table: object): boolean => Object.keys(table).includes(name);

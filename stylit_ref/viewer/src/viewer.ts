@@ -5,7 +5,7 @@ import type { Engine, Moment } from "./engine.js";
 import type { Grid, Place } from "./grid.js";
 import { STEPS, type Mode, type Motion } from "./modes.js";
 import { Pace } from "./pace.js";
-import type { Camera, PageData } from "./page_data.js";
+import { PageError, type Camera, type PageData } from "./page_data.js";
 import type { Store } from "./store.js";
 
 /** Milliseconds without a turn until the drawing counts as resting. */
@@ -16,6 +16,8 @@ export interface Told {
   rests(place: Place): void;
   rate(framesPerSecond: number | null): void;
   waits(mode: Mode | null): void;
+  /** Views cannot be had for now; what is drawn stays. */
+  lacks(error: unknown): void;
   fails(error: unknown): void;
 }
 
@@ -32,6 +34,7 @@ export class Viewer {
   private readonly told: Told;
   private engine: Engine | null = null;
   private isDirty = false;
+  private asked = 0;
   private isMoving = true; // so the first picture is quick, and the rest follows
   private restTimer = 0;
 
@@ -74,7 +77,7 @@ export class Viewer {
   /** Draw a place at once with all passes, whatever the pace; views must be there. */
   drawNow(mode: Mode = this.mode): Engine {
     const moment = this.moment(mode);
-    if (!moment || !this.engine) throw new Error("views are still to come");
+    if (!moment || !this.engine) throw new PageError("Views are still to come. Try again in a moment.");
     this.engine.draw(moment);
     return this.engine;
   }
@@ -87,7 +90,16 @@ export class Viewer {
   private ask(): void {
     if (this.isDirty) return;
     this.isDirty = true;
-    requestAnimationFrame((now) => this.frame(now));
+    this.asked = performance.now();
+    requestAnimationFrame((now) => this.tried(() => this.frame(now)));
+  }
+
+  private tried(step: () => void): void {
+    try {
+      step();
+    } catch (error) {
+      this.told.fails(error);
+    }
   }
 
   private frame(now: number): void {
@@ -97,7 +109,7 @@ export class Viewer {
     const moment = this.moment(waits ? quick(this.mode) : this.mode);
     if (!moment) {
       const needed = this.needed;
-      this.store.arrived(needed).then(() => this.ask(), (error: unknown) => this.told.fails(error));
+      this.store.arrived(needed).then(() => this.ask(), (error: unknown) => this.told.lacks(error));
       return;
     }
     this.told.waits(waits ? this.mode : null);
@@ -105,8 +117,8 @@ export class Viewer {
     this.firstDrawn ??= performance.now();
     clearTimeout(this.restTimer);
     if (this.isMoving) {
-      this.pace.moved(now, !waits);
-      this.restTimer = setTimeout(() => this.rest(waits), REST);
+      this.pace.moved(this.asked, now, performance.now(), !waits);
+      this.restTimer = setTimeout(() => this.tried(() => this.rest(waits)), REST);
     }
     this.told.rate(this.pace.framesPerSecond);
   }

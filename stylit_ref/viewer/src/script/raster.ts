@@ -74,7 +74,7 @@ function fill(surface: Surface, polygon: Point[], face: number, [a, b, c]: [numb
     const row = b * ((y + 0.5) * step - 0.5) + c;
     for (let x = Math.max(Math.ceil(left), 0); x <= Math.min(Math.floor(right), width - 1); x++) {
       const depth = Math.fround(a * ((x + 0.5) * step - 0.5) + row);
-      if (depth <= inverse[y * width + x]) continue;
+      if (!(depth > inverse[y * width + x])) continue; // it is no number in a triangle seen edge-on
       inverse[y * width + x] = depth;
       faces[y * width + x] = face;
     }

@@ -47,7 +47,7 @@ export function splat(
   return filled({ width, height, faces, inverse });
 }
 
-/** A surface that is seen from closer by leaves gaps; of the two sides the farther one counts. */
+/** A surface that is seen from closer by leaves gaps; of the two sides the farther one counts, to the left and right first. */
 function filled({ width, height, faces, inverse }: Surface): Surface {
   const all = { width, height, faces: faces.slice(), inverse: inverse.slice() };
   for (let y = 0, p = 0; y < height; y++)
@@ -58,6 +58,7 @@ function filled({ width, height, faces, inverse }: Surface): Surface {
         const from = inverse[p + d] < inverse[p - d] ? p + d : p - d;
         all.faces[p] = faces[from];
         all.inverse[p] = inverse[from];
+        break;
       }
     }
   return all;

@@ -40,7 +40,7 @@ void main() {
   gl_FragDepth = inverse * near;
 }`;
 
-/** A surface that is seen from closer by leaves gaps; of the two sides the farther one counts. */
+/** A surface that is seen from closer by leaves gaps; of the two sides the farther one counts, to the left and right first. */
 const FILL_HOLES = `
 uniform usampler2D sparse;
 uniform ivec2 size;
@@ -55,6 +55,7 @@ void main() {
     uvec2 one = texelFetch(sparse, p - d, 0).xy, other = texelFetch(sparse, p + d, 0).xy;
     if (one.x == ${SKY}u || other.x == ${SKY}u) continue;
     surface = uintBitsToFloat(other.y) < uintBitsToFloat(one.y) ? other : one;
+    return;
   }
 }`;
 
