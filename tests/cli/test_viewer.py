@@ -171,6 +171,11 @@ def test_pictures_alone_make_a_page(manifest, tmp_path):
         ({}, "needs nnfs or pictures"),
         ({"nnfs": "{view}.npy"}, "needs style"),
         ({"pictures": "{view}.png", "speed": 1}, "has 'speed'; known are grid, nnfs"),
+        (
+            {"picture": "{view}.png"},
+            "has 'picture'; known are grid, nnfs, style, patch_width, "
+            "pictures, cameras, mesh; did you mean pictures?",
+        ),
         ({"pictures": "{view}.png", "grid": [["00"]]}, "at least two in all"),
         ({"pictures": "{view}.png", "cameras": {}}, "the camera of 00 lacks 'origin'"),
         ({"nnfs": "{view}.npy", "style": "00.png", "patch_width": 4}, "patch_width is 4"),
