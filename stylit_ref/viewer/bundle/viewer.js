@@ -741,16 +741,22 @@
       vote(searched, this.stage, picture);
       return picture;
     }
-    places({ lens, around, step }) {
-      const { width, height, mesh, reach } = this.stage;
+    places(moment) {
+      const { lens, around, step } = moment;
+      const { width, height } = this.stage;
       if (!lens) throw new Error("this mode needs the model");
-      const views = around.map((view) => ({ points: this.kept[view.slot].points, lens: view.lens }));
-      const surface = mesh ? raster(mesh, lens, width, height, step) : splat(views, lens, width, height, step);
-      const near = beside2(surface, Math.max(1, Math.round(reach / step)));
+      const [surface, near] = this.see(lens, moment);
       return around.map((view) => {
         const labels = this.kept[view.slot].labels;
         return placesIn(labels, lens, view.lens, surface, near, step, width, height);
       });
+    }
+    /** What a lens sees at every `step`-th pixel, and the pixel whose face and motion each takes. */
+    see(lens, { around, step }) {
+      const { width, height, mesh, reach } = this.stage;
+      const views = around.map((view) => ({ points: this.kept[view.slot].points, lens: view.lens }));
+      const surface = mesh ? raster(mesh, lens, width, height, step) : splat(views, lens, width, height, step);
+      return [surface, beside2(surface, Math.max(1, Math.round(reach / step)))];
     }
     labelsOf({ lens, points }) {
       const { width, height, reach, mesh } = this.stage;
@@ -1556,8 +1562,7 @@ void main() {
       const { lens, around, step } = moment;
       const { surface, beside: beside3, labels, motion01, motion23, hidden } = this.buffers;
       if (!lens || !this.surface) throw new Error("this mode needs the model");
-      this.surface.seePlace(moment);
-      this.beside.find(step);
+      this.see(this.surface, moment);
       const [width, height] = this.size.map((side) => Math.ceil(side / step));
       const rows = around.flatMap((view) => transferOf(lens, view.lens)).flat();
       const transfers = [...rows, ...Array(48 - rows.length).fill(0)];
@@ -1579,6 +1584,11 @@ void main() {
       this.context.fill(this.motion, values, target);
       const { size, bits } = values;
       return { motion01, motion23, hidden, size, step, bits };
+    }
+    /** What a lens sees at every `step`-th pixel, and the pixel whose face and motion each takes. */
+    see(surface, moment) {
+      surface.seePlace(moment);
+      this.beside.find(moment.step);
     }
     /** The pictures of views, which their fields give; made when a mode first needs them. */
     votePictures(slots) {
