@@ -93,7 +93,8 @@ def run(options: argparse.Namespace) -> None:
         write_folder(options.folder, texts)
         size = sum(len(text.encode()) for text in texts.values())
     if not options.quiet:
-        weight = {piece.name: len(piece.packed) for piece in contents.pieces}
+        growth = 1 if options.output else 4 / 3  # a folder holds base64
+        weight = {piece.name: len(piece.packed) * growth for piece in contents.pieces}
         count = len(contents.facts["views"])
         told = f"wrote {_megabytes(size)}, {count} views"
         if "still" in weight:
@@ -111,5 +112,5 @@ def _views(run: str, output: str | None) -> GridViews:
     return views_of_page(finished)
 
 
-def _megabytes(size: int) -> str:
+def _megabytes(size: float) -> str:
     return f"{size / 1e6:.1f} MB"
