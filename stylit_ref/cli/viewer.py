@@ -10,12 +10,12 @@ from stylit_ref.cli.parser import Parser
 from stylit_ref.cli.viewer_manifest import opaque_image, views_of_manifest
 from stylit_ref.errors import InputError
 from stylit_ref.files.disk.paths import check_distinct, check_folder, check_writable
-from stylit_ref.files.disk.whole_file import write_text
+from stylit_ref.files.disk.whole_file import write_bytes
 from stylit_ref.notes import note
 from stylit_ref.viewer.contents import make_contents
 from stylit_ref.viewer.grid_views import GridViews
 from stylit_ref.viewer.of_run import views_of_page
-from stylit_ref.viewer.write_page import folder_texts, page_text, write_folder
+from stylit_ref.viewer.write_page import folder_texts, page_bytes, write_folder
 from stylit_ref.views.run_folder import Run
 
 LARGEST_PAGE = 32 * 10**6
@@ -79,9 +79,9 @@ def run(options: argparse.Namespace) -> None:
     still = opaque_image(options.still) if options.still else None
     contents = make_contents(views, title=options.title, band=options.band, still=still)
     if options.output:
-        text = page_text(contents)
-        write_text(options.output, text)
-        size = len(text.encode())
+        page = page_bytes(contents)
+        write_bytes(options.output, page)
+        size = len(page)
         if size > LARGEST_PAGE:
             note(
                 f"{options.output}: has {_megabytes(size)}, and many programs refuse files of more "
@@ -93,7 +93,8 @@ def run(options: argparse.Namespace) -> None:
         write_folder(options.folder, texts)
         size = sum(len(text.encode()) for text in texts.values())
     if not options.quiet:
-        weight = {piece.name: len(piece.packed) * 4 // 3 for piece in contents.pieces}
+        growth = 1 if options.output else 4 / 3  # a folder holds base64
+        weight = {piece.name: len(piece.packed) * growth for piece in contents.pieces}
         count = len(contents.facts["views"])
         told = f"wrote {_megabytes(size)}, {count} views"
         if "still" in weight:
@@ -111,5 +112,5 @@ def _views(run: str, output: str | None) -> GridViews:
     return views_of_page(finished)
 
 
-def _megabytes(size: int) -> str:
+def _megabytes(size: float) -> str:
     return f"{size / 1e6:.1f} MB"

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from stylit_ref.cli.scene_files import SceneFiles
 from stylit_ref.cli.views_manifest import VIEW
-from stylit_ref.errors import InputError
+from stylit_ref.errors import InputError, did_you_mean
 from stylit_ref.files.disk.paths import check_regular, existing_file
 from stylit_ref.files.nnf_file import read_nnf
 from stylit_ref.files.read_image import read_uint8
@@ -56,7 +56,8 @@ def _views(content: Any, folder: Path, path: str) -> GridViews:
     if not isinstance(content, dict):
         raise InputError(f"{path}: is not an object with the keys {', '.join(_KEYS)}")
     if strange := [key for key in content if key not in _KEYS]:
-        raise InputError(f"{path}: has {strange[0]!r}; known are {', '.join(_KEYS)}")
+        known = f"known are {', '.join(_KEYS)}{did_you_mean(strange[0], _KEYS)}"
+        raise InputError(f"{path}: has {strange[0]!r}; {known}")
     names, rows, columns = _names(content.get("grid"), path)
     kind = "nnfs" if "nnfs" in content else "pictures"
     template = content.get(kind)

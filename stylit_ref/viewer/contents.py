@@ -115,7 +115,7 @@ def _views(views: GridViews) -> Iterator[tuple[dict[str, Any] | None, dict[str, 
             if views.style is None:
                 packed["picture"] = of_colours(name, view.astype(np.uint8))
             else:
-                packed["nnf"] = of_field(name, view.astype(np.int32), views.style.shape[:2])
+                packed["nnf"] = of_field(name, view.astype(np.int32))
             if views.points and views.orbit:
                 matrix = views.orbit.cameras[frame].matrix(views.size)
                 packed["points"] = of_points(f"points-{row}-{column}", views.points(frame), matrix)

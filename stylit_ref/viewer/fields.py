@@ -1,55 +1,48 @@
-"""Nearest-neighbour fields as pieces of a page; ``src/fields.ts`` reads them."""
+"""Nearest-neighbour fields as pieces of a page; ``src/fields.ts`` reads them.
+
+Half of the patches go on from a pixel close by, and the rest begin anywhere in the style. So first
+it is told for every pixel which one its patch goes on from, and then where those lie that go on
+from none. Little else repeats: matches, as deflate looks for them, would cost more than they save.
+"""
+
+import zlib
 
 import numpy as np
 from numpy.typing import NDArray
 
-from stylit_ref.viewer.pieces import LARGEST_WEBP, Piece, of_bytes, of_colours
+from stylit_ref.viewer.pieces import Piece, of_bytes
 
-LARGEST_TWELVE_BITS = 4096
-"""Styles with longer sides need more than 12 bits for y or x."""
+BEFORE = (
+    (0, -1), (-1, 0), (-1, 1), (-1, -1), (0, -2), (-2, 0),
+    (-2, 1), (-1, 2), (-2, -1), (-1, -2), (-2, 2), (-2, -2),
+)  # fmt: skip
+"""Rows and columns to the pixels that a patch may go on from, the closest first."""
+
+NEW = len(BEFORE)
+"""In place of one of them, where a patch begins."""
+
+_FAR = 2
+_NOWHERE = np.iinfo(np.int32).max
 
 
-def of_field(name: str, nnf: NDArray[np.int32], style_size: tuple[int, int]) -> Piece:
-    """Pack a field: as colours where its numbers have 12 bits, which is a third smaller.
+def of_field(name: str, nnf: NDArray[np.int32]) -> Piece:
+    """Pack a field.
 
     Parameters
     ----------
     name : str
     nnf : (H, W, 2) int32
         Centres ``(y, x)``, each from 0 to 65535.
-    style_size : tuple of 2 int
-        Rows and columns of the style.
 
     Returns
     -------
     Piece
     """
-    if max(style_size) <= LARGEST_TWELVE_BITS and max(nnf.shape[:2]) <= LARGEST_WEBP:
-        return of_colours(name, colours_of(nnf))
-    return of_bytes(name, differences_of(nnf))
+    return of_bytes(name, field_bytes(nnf), (zlib.Z_HUFFMAN_ONLY, zlib.Z_RLE))
 
 
-def colours_of(nnf: NDArray[np.int32]) -> NDArray[np.uint8]:
-    """Low byte of y, low byte of x, and four high bits of each, those of x first.
-
-    Parameters
-    ----------
-    nnf : (H, W, 2) int32
-        From 0 to 4095.
-
-    Returns
-    -------
-    (H, W, 3) uint8
-    """
-    y, x = nnf[..., 0], nnf[..., 1]
-    return np.stack([y & 255, x & 255, y >> 8 | x >> 8 << 4], axis=-1).astype(np.uint8)
-
-
-def differences_of(nnf: NDArray[np.int32]) -> bytes:
-    """Low and high bytes of y, then of x, less what a patch that goes on would have.
-
-    That is the number to the left, and for x one more; for the first pixel of a row it comes from
-    above, and for y one more. So 0 stands within a patch.
+def field_bytes(nnf: NDArray[np.int32]) -> bytes:
+    """A field as bytes that deflate packs well.
 
     Parameters
     ----------
@@ -58,14 +51,40 @@ def differences_of(nnf: NDArray[np.int32]) -> bytes:
     Returns
     -------
     bytes
+        For each pixel one of ``BEFORE``, or ``NEW``. Then, of the new ones, the differences of y
+        and x to the pixel before, modulo 65536 and folded (0, -1, 1, -2 become 0, 1, 2, 3): four
+        low bits of y and of x, those of y lower; eight middle bits of y; eight of x; four high bits
+        of y and of x, left out if all are 0.
     """
-    planes = []
-    for axis, (right, down) in enumerate(((0, 1), (1, 0))):
-        number = nnf[..., axis]
-        expected = np.empty_like(number)
-        expected[:, 1:] = number[:, :-1] + right
-        expected[1:, 0] = number[:-1, 0] + down
-        expected[0, 0] = right
-        difference = number - expected
-        planes += [difference & 255, difference >> 8 & 255]
-    return np.stack(planes).astype(np.uint8).tobytes()
+    origins = origins_of(nnf)
+    steps = np.diff(nnf.reshape(-1, 2), axis=0, prepend=0)[origins.ravel() == NEW]
+    signed = (steps + 32768 & 65535) - 32768
+    y, x = np.where(signed < 0, -2 * signed - 1, 2 * signed).T
+    planes = [y & 15 | (x & 15) << 4, y >> 4 & 255, x >> 4 & 255]
+    high = y >> 12 | x >> 12 << 4
+    if high.any():
+        planes.append(high)
+    return origins.tobytes() + np.concatenate(planes).astype(np.uint8).tobytes()
+
+
+def origins_of(nnf: NDArray[np.int32]) -> NDArray[np.uint8]:
+    """The closest pixel that a patch goes on from.
+
+    Parameters
+    ----------
+    nnf : (H, W, 2) int32
+
+    Returns
+    -------
+    (H, W) uint8
+        Its number in ``BEFORE``, or ``NEW``.
+    """
+    height, width = nnf.shape[:2]
+    offsets = nnf - np.moveaxis(np.mgrid[:height, :width], 0, -1)
+    around = np.pad(offsets, ((_FAR, 0), (_FAR, _FAR), (0, 0)), constant_values=_NOWHERE)
+    origins = np.full((height, width), NEW, np.uint8)
+    for number, (down, right) in reversed(list(enumerate(BEFORE))):
+        top, left = _FAR + down, _FAR + right
+        there = around[top : top + height, left : left + width]
+        origins[(there == offsets).all(axis=2)] = number
+    return origins

@@ -1,11 +1,12 @@
 """Bytes as a page holds them: whole numbers that come out of it exactly as they went in.
 
 Colours of a lossless WebP stay numbers in a browser, since no colour profile is attached and alpha
-is not used. Whatever needs more than three bytes a pixel is packed by deflate instead.
+is not used. Whatever is no image is packed by deflate.
 """
 
 import io
 import zlib
+from collections.abc import Iterable
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -66,8 +67,26 @@ def of_colours(name: str, colours: NDArray[np.uint8]) -> Piece:
     return Piece(name, WEBP, packed.getvalue(), len(content), zlib.crc32(content))
 
 
-def of_bytes(name: str, content: bytes) -> Piece:
-    """Pack bytes that are no image."""
-    packer = zlib.compressobj(9, zlib.DEFLATED, -zlib.MAX_WBITS)
-    packed = packer.compress(content) + packer.flush()
+def of_bytes(
+    name: str, content: bytes, strategies: Iterable[int] = (zlib.Z_DEFAULT_STRATEGY,)
+) -> Piece:
+    """Pack bytes that are no image.
+
+    Parameters
+    ----------
+    name : str
+    content : bytes
+    strategies : iterable of int, optional
+        Of zlib; the one that packs best is taken.
+
+    Returns
+    -------
+    Piece
+    """
+    packed = min((_deflated(content, strategy) for strategy in strategies), key=len)
     return Piece(name, DEFLATE, packed, len(content), zlib.crc32(content))
+
+
+def _deflated(content, strategy):
+    packer = zlib.compressobj(9, zlib.DEFLATED, -zlib.MAX_WBITS, zlib.DEF_MEM_LEVEL, strategy)
+    return packer.compress(content) + packer.flush()

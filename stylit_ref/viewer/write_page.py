@@ -11,15 +11,19 @@ from string import Template
 
 from stylit_ref.files.disk.whole_file import write_text
 from stylit_ref.viewer.contents import Contents
+from stylit_ref.viewer.embedding import ascii_text, embedded
 from stylit_ref.viewer.pieces import Piece
 
 FOLDER = "data"
 """Where the pieces of a page lie that is a folder."""
 
+PROBE = "stylit-probe"
+"""What shows a page whether its bytes came as they were written."""
+
 PROGRAM, STYLE_SHEET, PAGE = "bundle/viewer.js", "page.css", "page.html"
 
 
-def page_text(contents: Contents) -> str:
+def page_bytes(contents: Contents) -> bytes:
     """The page as one file.
 
     Parameters
@@ -28,14 +32,15 @@ def page_text(contents: Contents) -> str:
 
     Returns
     -------
-    str
-        HTML, which needs no other file and no network.
+    bytes
+        HTML in windows-1252, which needs no other file and no network.
     """
+    packed = {PROBE: b"\xff"} | {piece.name: piece.packed for piece in contents.pieces}
     pieces = "".join(
-        f'<script type="text/plain" id="{piece.name}">{_base64(piece)}</script>\n'
-        for piece in contents.pieces
+        f'<script type="application/octet-stream" id="{name}">{embedded(each)}</script>\n'
+        for name, each in packed.items()
     )
-    return _page(contents, f"<script>\n{_part(PROGRAM)}</script>", pieces)
+    return _page(contents, f"<script>\n{_part(PROGRAM)}</script>", pieces).encode("latin-1")
 
 
 def folder_texts(contents: Contents) -> Mapping[str, str]:
@@ -49,7 +54,7 @@ def folder_texts(contents: Contents) -> Mapping[str, str]:
     -------
     mapping of str to str
         ``index.html``, its program, and a script for each piece: browsers load no other files
-        from the disk.
+        from the disk. All are ASCII, since servers tell what encoding scripts have.
     """
     contents = replace(contents, facts=contents.facts | {"folder": FOLDER})
     page = _page(contents, '<script src="viewer.js"></script>', "")
@@ -75,7 +80,7 @@ def write_folder(folder: str | Path, texts: Mapping[str, str]) -> None:
 def _page(contents, script, pieces):
     # Within a script a tag would end it.
     data = json.dumps(contents.facts, allow_nan=False).replace("<", "\\u003c")
-    title = escape(contents.facts["title"])
+    title = ascii_text(escape(contents.facts["title"]))
     return Template(_part(PAGE)).substitute(
         title=title, css=_part(STYLE_SHEET), script=script, data=data, pieces=pieces
     )

@@ -8,7 +8,7 @@ from browser_page import BrowserPage
 from small_views import small_views
 
 from stylit_ref.viewer.contents import make_contents
-from stylit_ref.viewer.write_page import folder_texts, page_text, write_folder
+from stylit_ref.viewer.write_page import folder_texts, page_bytes, write_folder
 
 FLAGS = (
     "--headless", "--no-sandbox", "--disable-gpu", "--use-angle=swiftshader",
@@ -77,7 +77,7 @@ def page_file(tmp_path_factory):
     """The small views as one file."""
     contents = make_contents(small_views(), title="Two boxes", band=0.6)
     file = tmp_path_factory.mktemp("page") / "viewer.html"
-    file.write_text(page_text(contents), encoding="utf-8")
+    file.write_bytes(page_bytes(contents))
     return file
 
 

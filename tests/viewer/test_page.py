@@ -9,7 +9,7 @@ from small_views import SIZE, small_views
 
 from stylit_ref import read_uint8, replay
 from stylit_ref.viewer.contents import make_contents
-from stylit_ref.viewer.write_page import folder_texts, page_text, write_folder
+from stylit_ref.viewer.write_page import folder_texts, page_bytes, write_folder
 
 pytestmark = pytest.mark.slow  # a browser is a process of its own
 
@@ -200,28 +200,70 @@ def test_a_sentence_where_nothing_can_draw(open_page, page_file):
 @pytest.mark.parametrize(
     ("damage", "said"),
     [
-        (lambda text: re.sub('(id="view-0-0">).{9}', r"\1AAAAAAAAA", text), "view-0-0 does not"),
+        (lambda text: re.sub('(id="view-0-0">)(?s:.{9})', r"\1AAAAAAAAA", text), "view-0-0 does"),
         (lambda text: text[: text.index('id="view-1-0">') + 900], "This page is "),
         (lambda text: text[: text.index('id="stylit-data">') + 200], "table of contents"),
         (lambda text: text[: text.index('<script type="app')], "holds no drawing"),
         (lambda text: text.replace('"format": 1', '"format": 2', 1), "of format 2"),
+        (lambda text: text.encode("utf-8").decode("latin-1"), "in another text encoding"),
     ],
-    ids=["bytes", "end", "contents", "data", "format"],
+    ids=["bytes", "end", "contents", "data", "format", "encoding"],
 )
 def test_a_damaged_file_says_so(open_page, page_file, tmp_path, damage, said):
     file = tmp_path / "damaged.html"
-    file.write_text(damage(page_file.read_text(encoding="utf-8")), encoding="utf-8")
+    file.write_bytes(damage(page_file.read_bytes().decode("latin-1")).encode("latin-1"))
     assert said in open_page(file).says()
 
 
+def test_an_editor_that_changes_encoding_and_line_ends_does_no_harm(open_page, page_file, tmp_path):
+    """As long as it tells the encoding: characters stay what they are."""
+    file = tmp_path / "edited.html"
+    text = "".join(map(windows_1252, page_file.read_bytes())).replace("\n", "\r\n")
+    file.write_bytes(text.replace("windows-1252", "utf-8", 1).encode())
+    shown = [
+        open_page(each).started().draws((0.5, 1.0), "nnf", "voted")[0] for each in (file, page_file)
+    ]
+    assert np.array_equal(*shown)
+
+
+def windows_1252(byte):
+    """The character of a byte as browsers have it; Python lacks five of them."""
+    try:
+        return bytes([byte]).decode("cp1252")
+    except UnicodeDecodeError:
+        return chr(byte)
+
+
+def test_a_server_that_tells_another_encoding_does_no_harm(chromium, page_file):
+    page = chromium.new_page()
+    page.route("http://page.test/", lambda route: route.fulfill(
+        body=page_file.read_bytes(), content_type="text/html; charset=utf-8"
+    ))  # fmt: skip
+    page.goto("http://page.test/")
+    page.wait_for_function("window.stylitViewer", timeout=30_000)
+    assert page.evaluate("document.characterSet") == "UTF-8"
+    page.close()
+
+
 def test_a_file_that_ends_within_its_program_shows_a_sentence(chromium, page_file, tmp_path):
-    text = page_file.read_text(encoding="utf-8")
+    page = page_file.read_bytes()
     file = tmp_path / "damaged.html"
-    file.write_text(text[: text.index("<script>") + 2000], encoding="utf-8")
+    file.write_bytes(page[: page.index(b"<script>") + 2000])
     page = chromium.new_page()
     page.goto(file.as_uri())
     assert "the file is incomplete" in page.locator("#message").text_content()
     assert not page.locator("#viewer").is_visible()
+    page.close()
+
+
+def test_a_damaged_file_of_a_folder_is_named(page_folder, chromium):
+    file = page_folder / "data" / "style.js"
+    file.write_text(file.read_text().replace('", "', '", "?'))
+    page = chromium.new_page()
+    page.goto((page_folder / "index.html").as_uri())
+    page.wait_for_function("document.getElementById('message').textContent.includes('damaged')")
+    message = page.locator("#message").text_content()
+    assert message == "data/style.js is damaged. Copy the whole folder again."
     page.close()
 
 
@@ -241,7 +283,7 @@ def test_a_still_is_the_replay_in_the_larger_style(open_page, tmp_path, engine):
     large = np.random.default_rng(1).integers(0, 256, (100, 80, 3), dtype=np.uint8)
     contents = make_contents(views, title="Still", band=0.6, still=large)
     file = tmp_path / "still.html"
-    file.write_text(page_text(contents), encoding="utf-8")
+    file.write_bytes(page_bytes(contents))
     page = open_page(file, f"?engine={engine}&mode=limited&view=0.5,1").rested()
     with page.page.expect_download() as download:
         page.page.locator("#save").click()

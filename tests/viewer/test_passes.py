@@ -8,7 +8,7 @@ from small_views import SIZE, cameras, small_views
 
 from stylit_ref.realtime.formulae.packed_nnf import entries_of, places_of
 from stylit_ref.viewer.contents import make_contents
-from stylit_ref.viewer.write_page import page_text
+from stylit_ref.viewer.write_page import page_bytes
 from stylit_ref.views.interpolation import passes
 from stylit_ref.views.interpolation.mesh_geometry import MeshGeometry
 from stylit_ref.views.interpolation.painting import make_style, pixels_of, search_among, vote
@@ -163,7 +163,7 @@ def test_any_cameras(engine, open_page, tmp_path, painting, seen_by, rows, colum
     reference = reference_of(views, painting)
     file = tmp_path / "page.html"
     contents = make_contents(views, title="Any cameras", band=BAND)
-    file.write_text(page_text(contents), encoding="utf-8")
+    file.write_bytes(page_bytes(contents))
     page = open_page(file, f"?engine={engine}").started()
     found = places_in_views(page, engine, place)
     expected = reference.shift(place).places
@@ -177,7 +177,7 @@ def test_styles_of_more_than_twelve_bits(engine, open_page, tmp_path):
     reference = reference_of(views, make_style(views.style, views.patch_width))
     file = tmp_path / "page.html"
     contents = make_contents(views, title="A wide style", band=BAND)
-    file.write_text(page_text(contents), encoding="utf-8")
+    file.write_bytes(page_bytes(contents))
     page = open_page(file, f"?engine={engine}").started()
     (shifted,) = page.draws((0.0, 0.0), "nnf", "shifted")
     assert np.array_equal(shifted, places_of(reference.fetch(reference.shift((0.0, 0.0)))[1]))
@@ -190,7 +190,7 @@ def test_points_serve_in_place_of_a_mesh(engine, views, painting, open_page, tmp
     with_points = replace(views, mesh=None, points=positions.__getitem__)
     file = tmp_path / "points.html"
     contents = make_contents(with_points, title="Points", band=BAND)
-    file.write_text(page_text(contents), encoding="utf-8")
+    file.write_bytes(page_bytes(contents))
     geometry = PositionsGeometry(
         np.stack([each.points for each in positions]),
         np.stack([each.labels for each in positions]),

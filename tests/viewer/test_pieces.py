@@ -4,10 +4,12 @@ import io
 import zlib
 
 import numpy as np
+import pytest
 from PIL import Image
 from small_views import SIZE, cameras, field, mesh
 
-from stylit_ref.viewer.fields import colours_of, differences_of, of_field
+from stylit_ref.viewer.embedding import ascii_text, embedded
+from stylit_ref.viewer.fields import BEFORE, NEW, field_bytes, of_field, origins_of
 from stylit_ref.viewer.pieces import of_bytes, of_colours
 from stylit_ref.viewer.points import SKY, of_points
 from stylit_ref.views.interpolation.positions_geometry import positions_of_mesh
@@ -37,34 +39,79 @@ def test_bytes_come_back():
     assert (unpacked(piece), piece.size) == (bytes(range(256)), 256)
 
 
-def test_fields_of_twelve_bits_are_colours():
-    nnf = np.array([[[0x123, 0xABC], [0xFFF, 0]]], np.int32)
-    assert colours_of(nnf).tolist() == [[[0x23, 0xBC, 0xA1], [0xFF, 0, 0x0F]]]
-    assert of_field("view", nnf, (4096, 4096)).coding == "webp"
+def test_bytes_are_packed_as_it_is_best():
+    content = bytes(1000)
+    strategies = zlib.Z_HUFFMAN_ONLY, zlib.Z_RLE
+    piece = of_bytes("field", content, strategies)
+    assert unpacked(piece) == content
+    sizes = [len(of_bytes("field", content, (strategy,)).packed) for strategy in strategies]
+    assert len(piece.packed) == min(sizes) < max(sizes)
 
 
-def test_fields_of_wider_styles_are_differences():
-    nnf = field(np.random.default_rng(0), style_size=(300, 40000))
-    assert of_field("view", nnf, (300, 40000)).coding == "deflate"
-    planes = np.frombuffer(differences_of(nnf), np.uint8).reshape(2, 2, *SIZE).astype(int)
-    for axis, (low, high) in enumerate(planes):
-        for y in range(SIZE[0]):
-            for x in range(SIZE[1]):
-                if x:
-                    expected = nnf[y, x - 1, axis] + axis
-                elif y:
-                    expected = nnf[y - 1, x, axis] + 1 - axis
-                else:
-                    expected = axis
-                told = (expected + low[y, x] + 256 * high[y, x]) % 65536
-                assert told == nnf[y, x, axis]
+def taken_apart(content, size):
+    """A field from its bytes, pixel by pixel."""
+    pixels = size[0] * size[1]
+    origins, planes = content[:pixels], content[pixels:]
+    count = origins.count(NEW)
+    low, middle_y, middle_x = (planes[k * count : (k + 1) * count] for k in range(3))
+    high = planes[3 * count :] or bytes(count)
+    nnf, new, last = np.zeros((*size, 2), int), iter(range(count)), (0, 0)
+    for p, origin in enumerate(origins):
+        y, x = divmod(p, size[1])
+        if origin == NEW:
+            n = next(new)
+            folded = (
+                low[n] & 15 | middle_y[n] << 4 | (high[n] & 15) << 12,
+                low[n] >> 4 | middle_x[n] << 4 | high[n] >> 4 << 12,
+            )
+            steps = [-(each + 1) // 2 if each % 2 else each // 2 for each in folded]
+            last = np.add(last, steps) % 65536
+        else:
+            down, right = BEFORE[origin]
+            last = nnf[y + down, x + right] - (down, right)
+        nnf[y, x] = last
+    return nnf
 
 
-def test_within_a_patch_differences_are_nothing():
+@pytest.mark.parametrize("style_size", [(50, 40), (300, 40000), (65536, 65536)])
+def test_fields_come_back(style_size):
+    nnf = field(np.random.default_rng(0), style_size=style_size)
+    piece = of_field("view", nnf)
+    assert np.array_equal(taken_apart(unpacked(piece), SIZE), nnf)
+    has_high = piece.size - nnf[..., 0].size == 4 * np.count_nonzero(origins_of(nnf) == NEW)
+    assert has_high == (max(style_size) > 4096)
+
+
+def test_a_patch_goes_on_from_the_closest_pixel():
     patch = np.stack(np.mgrid[5:12, 3:9], axis=-1).astype(np.int32)
-    planes = np.frombuffer(differences_of(patch), np.uint8).reshape(4, 7, 6)
-    assert planes[:, 0, 0].tolist() == [5, 0, 2, 0]
-    assert np.count_nonzero(planes) == 2
+    origins = origins_of(patch)
+    assert origins[0, 0] == NEW
+    assert not origins[:, 1:].any()
+    assert (origins[1:, 0] == BEFORE.index((-1, 0))).all()
+    assert field_bytes(patch)[patch[..., 0].size :] == bytes([10 | 6 << 4, 0, 0])
+
+
+@pytest.mark.parametrize("origin", range(NEW))
+def test_every_pixel_before_may_be_gone_on_from(origin):
+    nnf = np.random.default_rng(origin).permutation(2 * 25).reshape(5, 5, 2).astype(np.int32) * 99
+    down, right = BEFORE[origin]
+    nnf[2, 2] = nnf[2 + down, 2 + right] - (down, right)
+    assert origins_of(nnf)[2, 2] == origin
+    assert np.array_equal(taken_apart(field_bytes(nnf), (5, 5)), nnf)
+
+
+def test_every_byte_is_embedded_as_itself_or_behind_an_escape():
+    content = bytes(range(256)) * 2
+    page = embedded(content).encode("latin-1")
+    assert not set(page) & set(b"\0\r<")
+    assert len(page) == len(content) + 2 * 4
+    rest = iter(page)
+    taken = bytes(next(rest) - 64 if byte == ord("=") else byte for byte in rest)
+    assert taken == content
+
+
+def test_titles_are_told_in_ascii():
+    assert ascii_text("Haus – 家") == "Haus &#8211; &#23478;"
 
 
 def test_points_come_back():

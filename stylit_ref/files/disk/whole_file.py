@@ -57,7 +57,17 @@ def write_text(path: str | Path, text: str) -> None:
     InputError
         As :func:`whole_file`.
     """
-    content = text.encode()
+    write_bytes(path, text.encode())
+
+
+def write_bytes(path: str | Path, content: bytes) -> None:
+    """Write bytes; a failure leaves no partial file.
+
+    Raises
+    ------
+    InputError
+        As :func:`whole_file`.
+    """
     with whole_file(path, len(content)) as partial:
         partial.write_bytes(content)
 

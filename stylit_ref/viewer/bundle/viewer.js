@@ -118,9 +118,8 @@
   async function decode(piece, source) {
     if (typeof DecompressionStream === "undefined" || typeof createImageBitmap === "undefined")
       throw new PageError("This browser is too old for the page. Open it in a current one.");
-    const text = await source(piece.name);
+    const packed = await source(piece.name);
     try {
-      const packed = fromBase64(text);
       const attempts = piece.coding === "webp" ? ofWebp(packed) : [inflate(packed)];
       for await (const bytes of attempts) if (bytes.length === piece.bytes && crc32(bytes) === piece.sum) return bytes;
     } catch {
@@ -129,12 +128,6 @@
   }
   function damaged(piece) {
     return new PageError(`This page is damaged: ${piece.name} does not hold what was exported. Ask for it again.`);
-  }
-  function fromBase64(text) {
-    const letters = atob(text.trim());
-    const bytes = new Uint8Array(letters.length);
-    for (let i = 0; i < letters.length; i++) bytes[i] = letters.charCodeAt(i);
-    return bytes;
   }
   async function inflate(packed) {
     const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
@@ -751,16 +744,22 @@
       vote(searched, this.stage, picture);
       return picture;
     }
-    places({ lens, around, step }) {
-      const { width, height, mesh, reach } = this.stage;
+    places(moment) {
+      const { lens, around, step } = moment;
+      const { width, height } = this.stage;
       if (!lens) throw new Error("this mode needs the model");
-      const views = around.map((view) => ({ points: this.kept[view.slot].points, lens: view.lens }));
-      const surface = mesh ? raster(mesh, lens, width, height, step) : splat(views, lens, width, height, step);
-      const near = beside2(surface, Math.max(1, Math.round(reach / step)));
+      const [surface, near] = this.see(lens, moment);
       return around.map((view) => {
         const labels = this.kept[view.slot].labels;
         return placesIn(labels, lens, view.lens, surface, near, step, width, height);
       });
+    }
+    /** What a lens sees at every `step`-th pixel, and the pixel whose face and motion each takes. */
+    see(lens, { around, step }) {
+      const { width, height, mesh, reach } = this.stage;
+      const views = around.map((view) => ({ points: this.kept[view.slot].points, lens: view.lens }));
+      const surface = mesh ? raster(mesh, lens, width, height, step) : splat(views, lens, width, height, step);
+      return [surface, beside2(surface, Math.max(1, Math.round(reach / step)))];
     }
     labelsOf({ lens, points }) {
       const { width, height, reach, mesh } = this.stage;
@@ -1567,8 +1566,7 @@ void main() {
       const { lens, around, step } = moment;
       const { surface, beside: beside3, labels, motion01, motion23, hidden } = this.buffers;
       if (!lens || !this.surface) throw new Error("this mode needs the model");
-      this.surface.seePlace(moment);
-      this.beside.find(step);
+      this.see(this.surface, moment);
       const [width, height] = this.size.map((side) => Math.ceil(side / step));
       const rows = around.flatMap((view) => transferOf(lens, view.lens)).flat();
       const transfers = [...rows, ...Array(48 - rows.length).fill(0)];
@@ -1590,6 +1588,11 @@ void main() {
       this.context.fill(this.motion, values, target);
       const { size, bits } = values;
       return { motion01, motion23, hidden, size, step, bits };
+    }
+    /** What a lens sees at every `step`-th pixel, and the pixel whose face and motion each takes. */
+    see(surface, moment) {
+      surface.seePlace(moment);
+      this.beside.find(moment.step);
     }
     /** The pictures of views, which their fields give; made when a mode first needs them. */
     votePictures(slots) {
@@ -1767,14 +1770,53 @@ void main() {
     return rgba;
   }
 
+  // src/embedding.ts
+  var DECODER = new TextDecoder("windows-1252");
+  var ESCAPE = 61;
+  var BYTES = new Uint8Array(65536);
+  var LETTERS = DECODER.decode(Uint8Array.from({ length: 256 }, (_, byte) => byte));
+  for (let byte = 0; byte < 256; byte++) BYTES[LETTERS.charCodeAt(byte)] = byte;
+  function bytesIn(text) {
+    const bytes = new Uint8Array(text.length);
+    let length = 0;
+    for (let i = 0; i < text.length; i++) {
+      const byte = BYTES[text.charCodeAt(i)];
+      bytes[length++] = byte === ESCAPE ? BYTES[text.charCodeAt(++i)] - 64 : byte;
+    }
+    return bytes.slice(0, length);
+  }
+  var PROBE = "stylit-probe";
+  async function pageAsWritten() {
+    if (isAsWritten(document)) return document;
+    const page = await loadedAgain();
+    if (page && isAsWritten(page)) return page;
+    throw new PageError("This page is damaged: a program saved it again in another text encoding. Ask for it again.");
+  }
+  async function loadedAgain() {
+    if (!location.protocol.startsWith("http")) return null;
+    try {
+      const page = await fetch(location.href);
+      return new DOMParser().parseFromString(DECODER.decode(await page.arrayBuffer()), "text/html");
+    } catch {
+      return null;
+    }
+  }
+  function isAsWritten(page) {
+    const probe = page.getElementById(PROBE);
+    return !probe || probe.textContent === LETTERS[255];
+  }
+
   // src/source.ts
   function sourceOf(data) {
-    return data.folder === null ? inPage : inFolder(data.folder);
+    return data.folder === null ? inPage() : inFolder(data.folder);
   }
-  async function inPage(name) {
-    const text = document.getElementById(name)?.textContent;
-    if (text == null) throw new PageError(`This page is incomplete: ${name} is missing. Ask for it again.`);
-    return text;
+  function inPage() {
+    const page = pageAsWritten();
+    return async (name) => {
+      const text = (await page).getElementById(name)?.textContent;
+      if (text == null) throw new PageError(`This page is incomplete: ${name} is missing. Ask for it again.`);
+      return bytesIn(text);
+    };
   }
   function inFolder(folder) {
     const arrived = /* @__PURE__ */ new Map();
@@ -1787,8 +1829,9 @@ void main() {
         const text = arrived.get(name);
         arrived.delete(name);
         script.remove();
-        if (text === void 0) reject(new PageError(`${file} is damaged. Copy the whole folder again.`));
-        else resolve(text);
+        const bytes = text === void 0 ? null : fromBase64(text);
+        if (bytes) resolve(bytes);
+        else reject(new PageError(`${file} is damaged. Copy the whole folder again.`));
       };
       script.onerror = () => {
         script.remove();
@@ -1796,6 +1839,13 @@ void main() {
       };
       document.head.append(script);
     });
+  }
+  function fromBase64(text) {
+    try {
+      return Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+    } catch {
+      return null;
+    }
   }
 
   // src/still.ts
@@ -1826,34 +1876,46 @@ void main() {
   }
 
   // src/fields.ts
-  function fieldOf(piece, bytes, width, height) {
-    return piece.coding === "webp" ? ofColours(bytes, width * height) : ofDifferences(bytes, width, height);
-  }
-  function ofColours(colours, pixels) {
-    const field = new Uint16Array(2 * pixels);
-    for (let i = 0, from = 0; i < field.length; i += 2, from += 3) {
-      const high = colours[from + 2];
-      field[i] = colours[from] | (high & 15) << 8;
-      field[i + 1] = colours[from + 1] | high >> 4 << 8;
-    }
-    return field;
-  }
-  function ofDifferences(planes, width, height) {
-    const pixels = width * height;
-    const field = new Uint16Array(2 * pixels);
-    for (let axis = 0; axis < 2; axis++) {
-      const low = 2 * axis * pixels;
-      const high = low + pixels;
-      for (let y = 0, i = 0; y < height; y++) {
-        let last = y ? field[2 * (i - width) + axis] + 1 - 2 * axis : 0;
-        for (let x = 0; x < width; x++, i++) {
-          last = last + axis + (planes[low + i] | planes[high + i] << 8) & 65535;
-          field[2 * i + axis] = last;
-        }
+  var BEFORE = [
+    [0, -1],
+    [-1, 0],
+    [-1, 1],
+    [-1, -1],
+    [0, -2],
+    [-2, 0],
+    [-2, 1],
+    [-1, 2],
+    [-2, -1],
+    [-1, -2],
+    [-2, 2],
+    [-2, -2]
+  ];
+  var NEW = BEFORE.length;
+  function fieldOf(bytes, width, height) {
+    const origins = bytes.subarray(0, width * height);
+    const count = origins.reduce((sum, origin) => sum + Number(origin === NEW), 0);
+    const plane = (k) => bytes.subarray(origins.length + k * count, origins.length + (k + 1) * count);
+    const [low, middleY, middleX, high] = [plane(0), plane(1), plane(2), plane(3)];
+    const field = new Uint16Array(2 * origins.length);
+    let [y, x] = [0, 0];
+    for (let p = 0, n = 0; p < origins.length; p++) {
+      if (origins[p] === NEW) {
+        const top = high.length ? high[n] : 0;
+        y += unfolded(low[n] & 15 | middleY[n] << 4 | (top & 15) << 12);
+        x += unfolded(low[n] >> 4 | middleX[n] << 4 | top >> 4 << 12);
+        n++;
+      } else {
+        const [down, right] = BEFORE[origins[p]];
+        const from = 2 * (p + down * width + right);
+        y = field[from] - down;
+        x = field[from + 1] - right;
       }
+      field[2 * p] = y;
+      field[2 * p + 1] = x;
     }
     return field;
   }
+  var unfolded = (number) => number & 1 ? -(number + 1) / 2 : number / 2;
 
   // src/points.ts
   function pointsOf(planes, width, height) {
@@ -1936,7 +1998,7 @@ void main() {
       const bytes = (piece) => piece && decode(piece, this.source);
       const [field, colours, planes] = await Promise.all([bytes(nnf), bytes(picture), bytes(points)]);
       return {
-        field: nnf && field && fieldOf(nnf, field, width, height),
+        field: field && fieldOf(field, width, height),
         rgba: colours && toRgba(colours),
         points: planes && pointsOf(planes, width, height),
         lens: camera && lensOf(camera, width, height)

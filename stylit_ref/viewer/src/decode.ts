@@ -2,33 +2,23 @@
 
 import { READERS } from "./bitmaps.js";
 import { PageError, type Piece } from "./page_data.js";
-import type { Source } from "./source.js";
-
-type Bytes = Uint8Array<ArrayBuffer>;
+import type { Bytes, Source } from "./source.js";
 
 export async function decode(piece: Piece, source: Source): Promise<Bytes> {
   if (typeof DecompressionStream === "undefined" || typeof createImageBitmap === "undefined")
     throw new PageError("This browser is too old for the page. Open it in a current one.");
-  const text = await source(piece.name);
+  const packed = await source(piece.name);
   try {
-    const packed = fromBase64(text);
     const attempts = piece.coding === "webp" ? ofWebp(packed) : [inflate(packed)];
     for await (const bytes of attempts) if (bytes.length === piece.bytes && crc32(bytes) === piece.sum) return bytes;
   } catch {
-    // What is no base64, no WebP or no deflate is damaged too.
+    // What is no WebP or no deflate is damaged too.
   }
   throw damaged(piece);
 }
 
 function damaged(piece: Piece): PageError {
   return new PageError(`This page is damaged: ${piece.name} does not hold what was exported. Ask for it again.`);
-}
-
-function fromBase64(text: string): Bytes {
-  const letters = atob(text.trim());
-  const bytes = new Uint8Array(letters.length);
-  for (let i = 0; i < letters.length; i++) bytes[i] = letters.charCodeAt(i);
-  return bytes;
 }
 
 async function inflate(packed: Bytes): Promise<Bytes> {

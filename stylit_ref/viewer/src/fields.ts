@@ -1,40 +1,40 @@
 // Nearest-neighbour fields: y, x of a source pixel for each pixel of a view.
 
-import type { Piece } from "./page_data.js";
-
-/** As a lossless WebP: 12 bits for each number. Else bytes of differences, for styles of any size. */
-export function fieldOf(piece: Piece, bytes: Uint8Array, width: number, height: number): Uint16Array<ArrayBuffer> {
-  return piece.coding === "webp" ? ofColours(bytes, width * height) : ofDifferences(bytes, width, height);
-}
-
-/** Red: low byte of y. Green: low byte of x. Blue: four high bits of y, then those of x. */
-function ofColours(colours: Uint8Array, pixels: number): Uint16Array<ArrayBuffer> {
-  const field = new Uint16Array(2 * pixels);
-  for (let i = 0, from = 0; i < field.length; i += 2, from += 3) {
-    const high = colours[from + 2];
-    field[i] = colours[from] | ((high & 15) << 8);
-    field[i + 1] = colours[from + 1] | ((high >> 4) << 8);
-  }
-  return field;
-}
+/** Rows and columns to the pixels that a patch may go on from; stylit_ref/viewer/fields.py has the same. */
+const BEFORE = [
+  [0, -1], [-1, 0], [-1, 1], [-1, -1], [0, -2], [-2, 0],
+  [-2, 1], [-1, 2], [-2, -1], [-1, -2], [-2, 2], [-2, -2],
+] as const;
+const NEW = BEFORE.length;
 
 /**
- * Four planes: low and high bytes of y, then of x, each less what a patch that goes on would have: the
- * number to the left, and for x one more. The first of a row is told from the one above it.
+ * For each pixel one of those, or that its patch is new. Then of the new ones how y and x differ from those
+ * of the pixel before, folded to 0, -1, 1, -2 and so on: four low bits of both, eight middle bits of y,
+ * eight of x, and four high bits of both, which are left out if all are 0.
  */
-function ofDifferences(planes: Uint8Array, width: number, height: number): Uint16Array<ArrayBuffer> {
-  const pixels = width * height;
-  const field = new Uint16Array(2 * pixels);
-  for (let axis = 0; axis < 2; axis++) {
-    const low = 2 * axis * pixels;
-    const high = low + pixels;
-    for (let y = 0, i = 0; y < height; y++) {
-      let last = y ? field[2 * (i - width) + axis] + 1 - 2 * axis : 0;
-      for (let x = 0; x < width; x++, i++) {
-        last = (last + axis + (planes[low + i] | (planes[high + i] << 8))) & 65535;
-        field[2 * i + axis] = last;
-      }
+export function fieldOf(bytes: Uint8Array, width: number, height: number): Uint16Array<ArrayBuffer> {
+  const origins = bytes.subarray(0, width * height);
+  const count = origins.reduce((sum, origin) => sum + Number(origin === NEW), 0);
+  const plane = (k: number) => bytes.subarray(origins.length + k * count, origins.length + (k + 1) * count);
+  const [low, middleY, middleX, high] = [plane(0), plane(1), plane(2), plane(3)];
+  const field = new Uint16Array(2 * origins.length);
+  let [y, x] = [0, 0];
+  for (let p = 0, n = 0; p < origins.length; p++) {
+    if (origins[p] === NEW) {
+      const top = high.length ? high[n] : 0;
+      y += unfolded((low[n] & 15) | (middleY[n] << 4) | ((top & 15) << 12));
+      x += unfolded((low[n] >> 4) | (middleX[n] << 4) | ((top >> 4) << 12));
+      n++;
+    } else {
+      const [down, right] = BEFORE[origins[p]];
+      const from = 2 * (p + down * width + right);
+      y = field[from] - down;
+      x = field[from + 1] - right;
     }
+    field[2 * p] = y;
+    field[2 * p + 1] = x;
   }
   return field;
 }
+
+const unfolded = (number: number): number => (number & 1 ? -(number + 1) / 2 : number / 2);

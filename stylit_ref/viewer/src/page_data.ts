@@ -1,4 +1,4 @@
-// What a page holds, as stylit_ref/viewer/page_data.py writes it.
+// What a page holds, as stylit_ref/viewer/contents.py writes it.
 
 /** Bytes that lie in the page or in the folder beside it. */
 export interface Piece {

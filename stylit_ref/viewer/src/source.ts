@@ -1,6 +1,7 @@
 // Where pieces come from: the page itself, or scripts in a folder beside it. Browsers let a page that
 // was opened from the disk load scripts, and nothing else.
 
+import { bytesIn, pageAsWritten } from "./embedding.js";
 import { PageError, type PageData } from "./page_data.js";
 
 declare global {
@@ -9,17 +10,22 @@ declare global {
   }
 }
 
-/** Gives the text of a piece, in base64. */
-export type Source = (name: string) => Promise<string>;
+export type Bytes = Uint8Array<ArrayBuffer>;
+
+/** Gives the packed bytes of a piece. */
+export type Source = (name: string) => Promise<Bytes>;
 
 export function sourceOf(data: PageData): Source {
-  return data.folder === null ? inPage : inFolder(data.folder);
+  return data.folder === null ? inPage() : inFolder(data.folder);
 }
 
-async function inPage(name: string): Promise<string> {
-  const text = document.getElementById(name)?.textContent;
-  if (text == null) throw new PageError(`This page is incomplete: ${name} is missing. Ask for it again.`);
-  return text;
+function inPage(): Source {
+  const page = pageAsWritten();
+  return async (name) => {
+    const text = (await page).getElementById(name)?.textContent;
+    if (text == null) throw new PageError(`This page is incomplete: ${name} is missing. Ask for it again.`);
+    return bytesIn(text);
+  };
 }
 
 function inFolder(folder: string): Source {
@@ -34,8 +40,9 @@ function inFolder(folder: string): Source {
         const text = arrived.get(name);
         arrived.delete(name);
         script.remove();
-        if (text === undefined) reject(new PageError(`${file} is damaged. Copy the whole folder again.`));
-        else resolve(text);
+        const bytes = text === undefined ? null : fromBase64(text);
+        if (bytes) resolve(bytes);
+        else reject(new PageError(`${file} is damaged. Copy the whole folder again.`));
       };
       script.onerror = () => {
         script.remove();
@@ -43,4 +50,12 @@ function inFolder(folder: string): Source {
       };
       document.head.append(script);
     });
+}
+
+function fromBase64(text: string): Bytes | null {
+  try {
+    return Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+  } catch {
+    return null;
+  }
 }

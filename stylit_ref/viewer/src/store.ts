@@ -82,7 +82,7 @@ export class Store {
     const bytes = (piece: typeof nnf) => piece && decode(piece, this.source);
     const [field, colours, planes] = await Promise.all([bytes(nnf), bytes(picture), bytes(points)]);
     return {
-      field: nnf && field && fieldOf(nnf, field, width, height),
+      field: field && fieldOf(field, width, height),
       rgba: colours && toRgba(colours),
       points: planes && pointsOf(planes, width, height),
       lens: camera && lensOf(camera, width, height),

@@ -7,7 +7,7 @@ import type { Points } from "../points.js";
 import { limitedSearch } from "./limited_search.js";
 import { mix, mixShifted } from "./mix.js";
 import { placesIn, type Places } from "./motion.js";
-import { raster } from "./raster.js";
+import { raster, type Surface } from "./raster.js";
 import { shift } from "./shift.js";
 import { beside } from "./silhouettes.js";
 import { splat, surfaceOf } from "./splat.js";
@@ -98,16 +98,23 @@ export class ScriptEngine implements Engine {
     return picture;
   }
 
-  private places({ lens, around, step }: Moment): Places[] {
-    const { width, height, mesh, reach } = this.stage;
+  private places(moment: Moment): Places[] {
+    const { lens, around, step } = moment;
+    const { width, height } = this.stage;
     if (!lens) throw new Error("this mode needs the model");
-    const views = around.map((view) => ({ points: this.kept[view.slot].points as Points, lens: view.lens as Lens }));
-    const surface = mesh ? raster(mesh, lens, width, height, step) : splat(views, lens, width, height, step);
-    const near = beside(surface, Math.max(1, Math.round(reach / step)));
+    const [surface, near] = this.see(lens, moment);
     return around.map((view) => {
       const labels = this.kept[view.slot].labels as Uint16Array;
       return placesIn(labels, lens, view.lens as Lens, surface, near, step, width, height);
     });
+  }
+
+  /** What a lens sees at every `step`-th pixel, and the pixel whose face and motion each takes. */
+  private see(lens: Lens, { around, step }: Moment): [Surface, Int32Array] {
+    const { width, height, mesh, reach } = this.stage;
+    const views = around.map((view) => ({ points: this.kept[view.slot].points as Points, lens: view.lens as Lens }));
+    const surface = mesh ? raster(mesh, lens, width, height, step) : splat(views, lens, width, height, step);
+    return [surface, beside(surface, Math.max(1, Math.round(reach / step)))];
   }
 
   private labelsOf({ lens, points }: ViewPixels): Uint16Array | null {

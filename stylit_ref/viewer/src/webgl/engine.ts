@@ -134,8 +134,7 @@ export class WebglEngine implements Engine {
     const { lens, around, step } = moment;
     const { surface, beside, labels, motion01, motion23, hidden } = this.buffers;
     if (!lens || !this.surface) throw new Error("this mode needs the model");
-    this.surface.seePlace(moment);
-    this.beside.find(step);
+    this.see(this.surface, moment);
     const [width, height] = this.size.map((side) => Math.ceil(side / step));
     const rows = around.flatMap((view) => transferOf(lens, view.lens as Lens)).flat();
     const transfers = [...rows, ...Array<number>(48 - rows.length).fill(0)];
@@ -149,6 +148,12 @@ export class WebglEngine implements Engine {
     this.context.fill(this.motion, values, target);
     const { size, bits } = values;
     return { motion01, motion23, hidden, size, step, bits };
+  }
+
+  /** What a lens sees at every `step`-th pixel, and the pixel whose face and motion each takes. */
+  private see(surface: Surface, moment: Moment): void {
+    surface.seePlace(moment);
+    this.beside.find(moment.step);
   }
 
   /** The pictures of views, which their fields give; made when a mode first needs them. */
