@@ -122,6 +122,7 @@ def numbers(turned):
         ({"crooked": 1.1}, NOT_HELD),
         ({"lost_lines": 0.12}, NOT_HELD),
         ({"guide_error": 3.2}, NOT_HELD),
+        ({"sharpness": 0.6}, NOT_HELD),
     ],
 )
 def test_lines_improve_if_strokes_turn_and_nothing_else_gets_worse(turned, verdict):
