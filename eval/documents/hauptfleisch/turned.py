@@ -238,8 +238,8 @@ def section(data, params, report):
         f"turns with a copy. {params.method}, {turned_scene(data, VIEWS[0]).size}, seed 0, views "
         f"of the house's grid by row and column. *{ALONE}* has neither; *{TOLD}* has the guide and "
         "no copies; *copies, not told* has no guide. *turned* is the share of the pixels that "
-        "turned copies gave. Guides are compared with those of the sketch itself; seconds leave "
-        "out the turning of copies.",
+        "turned copies gave. Guides are compared with those of the sketch itself; seconds are of "
+        "the processor, each run once, without the turning of copies.",
         report.table("turned", numbers, shown_table(numbers)),
         report.figure(
             "turned", "a sketch, and hatching that turns", figure, data, params, committed=True
