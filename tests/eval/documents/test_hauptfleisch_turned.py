@@ -7,7 +7,8 @@ import pandas as pd
 import pytest
 
 from data_gen.camera import HOUSE
-from eval.documents.hauptfleisch.turned import ALONE, TOLD, TURNED, claim, shown_table
+from data_gen.manifest import Manifest
+from eval.documents.hauptfleisch.turned import ALONE, TOLD, TURNED, claim, shown_table, turned_scene
 from eval.documents.hauptfleisch.turned_copies import (
     Turned,
     projected_direction,
@@ -16,8 +17,9 @@ from eval.documents.hauptfleisch.turned_copies import (
 )
 from eval.metrics.off_surface import DIRECTION, FACE, off_surface
 from eval.pages.claims import HELD, NOT_HELD
+from eval.read_frames import GUIDES
 from eval.scenes import Scene
-from stylit_ref import Params
+from stylit_ref import InputError, Params, write_image
 
 HEIGHT, WIDTH = 60, 80
 Y, X = np.mgrid[:HEIGHT, :WIDTH]
@@ -100,6 +102,24 @@ def test_a_run_tells_the_share_of_each_copy(scene):
     assert outcome.history["share"].sum() == pytest.approx(1)
     assert outcome.history["share"][0] > 0.9
     assert (outcome.nnf < (HEIGHT, WIDTH)).all()
+
+
+def test_a_face_is_told_by_part_plane_and_shadow(tmp_path):
+    manifest = Manifest.open(tmp_path / "set")
+    for view in ("sketched_house", "house/0_2"):
+        for name in (*GUIDES, "IDMASK", "NORMAL", "sketches/hatched"):
+            file = tmp_path / "set" / view / f"{name}.png"
+            file.parent.mkdir(parents=True, exist_ok=True)
+            image = np.full((6, 8, 3), 7, np.uint8)
+            if name == "LIGHTMASK":
+                image[:, 4:, 2] = 255
+            write_image(file, image)
+        manifest.add(view)
+    scene = turned_scene(tmp_path / "set", (0, 2))
+    assert scene.guide_names == GUIDES
+    assert len(np.unique(scene.buffers[FACE][1].reshape(-1, 7), axis=0)) == 2
+    with pytest.raises(InputError, match="does not list house/2_0"):
+        turned_scene(tmp_path / "set", (2, 0))
 
 
 def numbers(turned):
