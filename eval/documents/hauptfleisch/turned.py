@@ -207,8 +207,8 @@ def claim(numbers):
         f"in every view strokes are nearer to the direction of their surface with turned copies "
         f"than without, told or not, while in the mean lines are at most {MOST_CROOKED:g} times as "
         f"far off straight, at most {100 * MOST_LOST:g} in 100 more are lost, the error of guides "
-        f"is at most {MOST_GUIDES:g} times and the sharpness at least {LEAST_SHARP:.2f} times that of the "
-        "better of these two",
+        f"is at most {MOST_GUIDES:g} times and the sharpness at least {LEAST_SHARP:.2f} times "
+        "that of the better of these two",
         f"means of {len(by_view)} views, {ALONE}, {TOLD}, {TURNED}: {'; '.join(told)}",
     )
 
