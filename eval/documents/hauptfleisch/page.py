@@ -4,7 +4,7 @@ from functools import partial
 
 import numpy as np
 
-from eval.documents.hauptfleisch import architecture, pictures, tables
+from eval.documents.hauptfleisch import architecture, pictures, tables, turned
 from eval.documents.hauptfleisch.claims import claims
 from eval.documents.hauptfleisch.claims_of_goals import TITLES
 from eval.documents.hauptfleisch.plan import METRICS
@@ -44,6 +44,7 @@ def _sections(plan, missing, report):
         *(block for study in plan.studies.values() for block in _study(study, report)),
         *_styles(plan, report),
         *(architecture.section(plan.data, plan.sketches, report) if plan.sketches else ()),
+        *_turned(plan, report),
         *_costs(plan, report),
         *_long_shot(plan, report),
         "## What the numbers are",
@@ -63,8 +64,8 @@ def _preface(plan, missing):
         "15 to 25 degrees away. The thesis' models and styles are not published, and it prints no "
         "number about coherence: its claims are judged by numbers of ours, and goals are ours. "
         "Every error stands between a floor, the renderings themselves, and a ceiling, frames "
-        "stylized alone. Patches turned by the projected direction, the thesis' first future work, "
-        f"were not tried. {_effort(plan.preset)} {left_out} Made on:\n\n{made_on(plan.tasks)}"
+        "stylized alone. "
+        f"{_effort(plan.preset)} {left_out} Made on:\n\n{made_on(plan.tasks)}"
     )
 
 
@@ -121,6 +122,12 @@ def _styles(plan, report):
         "guides are over those of frames alone.",
         report.figure("styles", "every style", pictures.styles_figure, plan, committed=True),
     ]
+
+
+def _turned(plan, report):
+    if not plan.sketches:
+        return []
+    return turned.section(plan.data, plan.preset.methods["ref"], report)
 
 
 def _costs(plan, report):

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
-from eval.documents.hauptfleisch import architecture
+from eval.documents.hauptfleisch import architecture, turned
 from eval.documents.hauptfleisch.costs import Costs
 from eval.documents.hauptfleisch.goals import GOALS
 from eval.documents.hauptfleisch.long_shot import LongShot
@@ -143,6 +143,9 @@ class Plan:
             tasks[study.floor.file_name] = Task(study.floor, OF_RENDERINGS)
             tasks |= {job.file_name: Task(job, METRICS) for job in jobs}
         tasks |= {task.job.file_name: task for task in architecture.tasks(self.data, self.sketches)}
+        if self.sketches:
+            hatched = turned.tasks(self.data, self.preset.methods["ref"])
+            tasks |= {task.job.file_name: task for task in hatched}
         others = [self.costs(*each) for each in self.costed]
         others += [] if self.long_shot is None else [self.long_shot]
         if self.thesis_size is not None:
