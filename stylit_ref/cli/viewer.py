@@ -78,6 +78,8 @@ def run(options: argparse.Namespace) -> None:
     views = _views(options.run, options.output)
     still = opaque_image(options.still) if options.still else None
     contents = make_contents(views, title=options.title, band=options.band, still=still)
+    if views.orbit and not (views.mesh or views.points):
+        note(f"{options.run}: has cameras and no mesh, so the page can only blend views; name one")
     if options.output:
         page = page_bytes(contents)
         write_bytes(options.output, page)

@@ -84,6 +84,10 @@ def _views(content: Any, folder: Path, path: str) -> GridViews:
             _check_reach(found, style.shape[:2], width, files[frame])
         return found
 
+    if not isinstance(content.get("mesh", ""), str):
+        raise InputError(f"{path}: mesh is {content['mesh']!r}; it must be the name of a file")
+    if "mesh" in content and "cameras" not in content:
+        raise InputError(f"{path}: has a mesh and no cameras; name the camera of every view")
     if "cameras" not in content:
         return GridViews(grid_of_steps(rows, columns), size, style, width, view)
     facts = content["cameras"]
@@ -93,7 +97,7 @@ def _views(content: Any, folder: Path, path: str) -> GridViews:
         orbit = orbit_of([read_camera(facts.get(name), name) for name in names], rows, columns)
     except InputError as error:
         raise InputError(f"{path}: {error}") from None
-    mesh = str(folder / content["mesh"]) if isinstance(content.get("mesh"), str) else None
+    mesh = str(folder / content["mesh"]) if "mesh" in content else None
     return GridViews(orbit.grid, size, style, width, view, orbit, SceneFiles(mesh).read_mesh())
 
 

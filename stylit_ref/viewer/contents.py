@@ -123,8 +123,14 @@ def _views(views: GridViews) -> Iterator[tuple[dict[str, Any] | None, dict[str, 
 
 
 def _scale(still, views):
-    size = (0, 0) if views.style is None else views.style.shape[:2]
-    scale = still.shape[0] // size[0] if size[0] else 0
+    if views.style is None:
+        raise InputError(
+            "is for views that tell where their pixels come from; name nnfs and style in place of "
+            "pictures, or leave it out",
+            parameter="still",
+        )
+    size = views.style.shape[:2]
+    scale = still.shape[0] // size[0]
     if not scale or still.shape[:2] != (scale * size[0], scale * size[1]):
         raise InputError(
             f"is {still.shape[1]}x{still.shape[0]}, but the style of the views is "

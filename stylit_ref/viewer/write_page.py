@@ -20,6 +20,9 @@ FOLDER = "data"
 PROBE = "stylit-probe"
 """What shows a page whether its bytes came as they were written."""
 
+_CALL = 'stylitPiece("'
+"""How the script of a piece begins."""
+
 PROGRAM, STYLE_SHEET, PAGE = "bundle/viewer.js", "page.css", "page.html"
 
 
@@ -59,14 +62,14 @@ def folder_texts(contents: Contents) -> Mapping[str, str]:
     contents = replace(contents, facts=contents.facts | {"folder": FOLDER})
     page = _page(contents, '<script src="viewer.js"></script>', "")
     scripts = {
-        f"{FOLDER}/{piece.name}.js": f'stylitPiece("{piece.name}", "{_base64(piece)}");\n'
+        f"{FOLDER}/{piece.name}.js": f'{_CALL}{piece.name}", "{_base64(piece)}");\n'
         for piece in contents.pieces
     }
     return {"index.html": page, "viewer.js": _part(PROGRAM), **scripts}
 
 
 def write_folder(folder: str | Path, texts: Mapping[str, str]) -> None:
-    """Write the files of a page, ``index.html`` last.
+    """Write the files of a page, ``index.html`` last; pieces of an earlier page are taken away.
 
     Raises
     ------
@@ -75,6 +78,14 @@ def write_folder(folder: str | Path, texts: Mapping[str, str]) -> None:
     """
     for name in sorted(texts, key=lambda name: name == "index.html"):
         write_text(Path(folder) / name, texts[name])
+    for script in (Path(folder) / FOLDER).glob("*.js"):
+        if f"{FOLDER}/{script.name}" not in texts and _is_piece(script):
+            script.unlink()
+
+
+def _is_piece(script: Path) -> bool:
+    with script.open("rb") as file:
+        return file.read(len(_CALL)) == _CALL.encode()
 
 
 def _page(contents, script, pieces):

@@ -63,6 +63,31 @@ def test_a_folder_has_a_script_for_each_piece(run, tmp_path):
     assert files == {"index.html", "viewer.js", "style.js", "mesh.js", *views}
 
 
+def test_pieces_of_an_earlier_page_are_taken_away(run, tmp_path):
+    write_image(tmp_path / "large.png", Run(run).style().repeat(2, axis=0).repeat(2, axis=1))
+    command = ["viewer", str(run), "--folder", str(tmp_path / "page"), "--quiet"]
+    assert main([*command, "--still", str(tmp_path / "large.png")]) == 0
+    own = tmp_path / "page/data/own.js"
+    own.write_text("// of somebody else")
+    before = {file.name for file in (tmp_path / "page/data").iterdir()}
+    assert main(command) == 0
+    after = {file.name for file in (tmp_path / "page/data").iterdir()}
+    assert before - after == {"still.js"}
+    assert own.exists()
+
+
+def test_stills_need_nnfs(manifest, tmp_path, capsys):
+    command = ["viewer", manifest(pictures="{view}.png"), "--still", str(tmp_path / "style.png")]
+    said = refused(capsys, main([*command, "--output", str(tmp_path / "page.html")]))
+    assert "--still is for views that tell where their pixels come from" in said
+
+
+def test_cameras_without_a_mesh_are_told(manifest, tmp_path, capsys):
+    command = ["viewer", manifest(nnfs="{view}.npy", style="style.png")]
+    assert main([*command, "--output", str(tmp_path / "page.html")]) == 0
+    assert "has cameras and no mesh, so the page can only blend views" in capsys.readouterr().err
+
+
 def test_a_style_for_stills_tells_its_weight(run, tmp_path, capsys):
     style = Run(run).style().repeat(3, axis=0).repeat(3, axis=1)
     write_image(tmp_path / "large.png", style)
@@ -178,6 +203,9 @@ def test_pictures_alone_make_a_page(manifest, tmp_path):
         ),
         ({"pictures": "{view}.png", "grid": [["00"]]}, "at least two in all"),
         ({"pictures": "{view}.png", "cameras": {}}, "the camera of 00 lacks 'origin'"),
+        ({"pictures": "{view}.png", "cameras": {"00": 5}}, "the camera of 00 is 5; it must be an"),
+        ({"pictures": "{view}.png", "cameras": {"00": None}}, "the camera of 00 lacks 'origin'"),
+        ({"pictures": "{view}.png", "mesh": 7}, "mesh is 7; it must be the name of a file"),
         ({"nnfs": "{view}.npy", "style": "00.png", "patch_width": 4}, "patch_width is 4"),
         ({"nnfs": "{view}.npy", "style": "small.png"}, "patches of width 5 lie within the style"),
         ({"pictures": "{view}.png", "grid": [["00", "small"]]}, "all views must have one size"),

@@ -88,7 +88,11 @@ def read_camera(facts: Mapping[str, Any] | None, name: str) -> Camera:
     InputError
         If something is missing, no number, or describes no camera.
     """
-    facts = facts or {}
+    facts = {} if facts is None else facts
+    if not isinstance(facts, Mapping):
+        raise InputError(
+            f"the camera of {name} is {facts!r}; it must be an object with {', '.join(_NEEDED)}"
+        )
     values = {}
     for key in (*_NEEDED, "up", "shift", "pixel_aspect"):
         if key in facts:
