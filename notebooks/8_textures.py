@@ -260,7 +260,7 @@ plt.show()
 
 # %%
 settings = {
-    "24 iterations, R = 64": TextureParams(),
+    "24 iterations, R = 64": TextureParams(radius=64, radius_step=0, candidates=64),
     "150 iterations, R = 16": TextureParams(radius=16, iterations=150, candidates=1),
 }
 textures = {
