@@ -12,6 +12,7 @@ from typing import Any
 from stylit_ref.errors import InputError, did_you_mean
 from stylit_ref.files.disk.paths import check_regular, existing_file
 from stylit_ref.views.frames import grid_pairs
+from stylit_ref.views.interpolation.camera import read_camera
 from stylit_ref.views.motion.conventions import AUTO, convention_named
 
 VIEW, OTHER = "{view}", "{other}"
@@ -111,6 +112,9 @@ def _manifest(content: Any, folder: Path) -> Manifest:
         raise InputError(f"cameras has {strange[0]!r}, which is none of the views")
     if not all(isinstance(camera, dict) for camera in cameras.values()):
         raise InputError("each of cameras must be an object")
+    if cameras and ("mesh" in values or "positions" in values):
+        for view in views:
+            read_camera(cameras.get(view), view)  # or InputError, before anything is drawn
     if "mesh" in values and "positions" in values:
         raise InputError("mesh and positions tell the same; leave positions out")
     beside = [values.get(key) for key in ("depth", "ids", "positions")]

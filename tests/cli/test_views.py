@@ -125,6 +125,10 @@ def test_missing_files_are_all_named_at_once(grid, capsys):
         ({"guides": [{"sorce": "a.png"}]}, "guide 1 has 'sorce'; known are source, view, weight;"),
         ({"motion_convention": "blend"}, "'blend'; write auto or one of"),
         ({"cameras": {"4": {}}}, "cameras has '4', which is none of the views"),
+        (
+            {"mesh": "a.obj", "cameras": {"0001": {"fov": 30}}},
+            "the camera of 0001 lacks 'origin', and has 'fov'",
+        ),
         ({"positions": "p.exr"}, "'p.exr' lacks {view}"),
         ({"mesh": "a.obj", "positions": "{view}.exr"}, "mesh and positions tell the same; leave"),
     ],

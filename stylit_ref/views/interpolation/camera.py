@@ -12,6 +12,7 @@ from stylit_ref.errors import InputError
 
 _LENGTHS = {"origin": 3, "target": 3, "up": 3, "shift": 2}
 _NEEDED = "origin", "target", "field_of_view"
+_KNOWN = *_NEEDED, "up", "shift", "pixel_aspect"
 
 
 @dataclass(frozen=True)
@@ -88,18 +89,24 @@ def read_camera(facts: Mapping[str, Any] | None, name: str) -> Camera:
     InputError
         If something is missing, no number, or describes no camera.
     """
-    facts = {} if facts is None else facts
+    if facts is None or facts == {}:
+        raise InputError(
+            f"there is no camera of {name}; the views between others need {', '.join(_NEEDED)} of "
+            "each camera"
+        )
     if not isinstance(facts, Mapping):
         raise InputError(
             f"the camera of {name} is {facts!r}; it must be an object with {', '.join(_NEEDED)}"
         )
     values = {}
-    for key in (*_NEEDED, "up", "shift", "pixel_aspect"):
+    for key in _KNOWN:
         if key in facts:
             values[key] = _read(facts[key], _LENGTHS.get(key), f"{key} of the camera of {name}")
         elif key in _NEEDED:
+            others = [other for other in facts if other not in _KNOWN]
+            has = f", and has {others[0]!r}" if others else ""
             raise InputError(
-                f"the camera of {name} lacks {key!r}; the views between others need "
+                f"the camera of {name} lacks {key!r}{has}; the views between others need "
                 f"{', '.join(_NEEDED)} of each camera"
             )
     camera = Camera(**values)

@@ -147,7 +147,14 @@ def test_facts_that_are_no_camera(change, said):
         read_camera(FACTS | change, "left")
 
 
-@pytest.mark.parametrize("facts", [None, {}, {"azimuth": 3}])
-def test_a_camera_that_is_not_known(facts):
-    with pytest.raises(InputError, match="the camera of left lacks 'origin'; the views between"):
+@pytest.mark.parametrize(
+    ("facts", "said"),
+    [
+        (None, "there is no camera of left; the views between"),
+        ({}, "there is no camera of left; the views between"),
+        ({"azimuth": 3}, "the camera of left lacks 'origin', and has 'azimuth'; the views between"),
+    ],
+)
+def test_a_camera_that_is_not_known(facts, said):
+    with pytest.raises(InputError, match=said):
         read_camera(facts, "left")

@@ -96,7 +96,7 @@ def test_one_view_has_nothing_beside_it(tmp_path):
 @pytest.mark.parametrize(
     ("facts", "said"),
     [
-        ([{}, *FACTS[1:]], "the camera of 0 lacks 'origin'"),
+        ([{}, *FACTS[1:]], "there is no camera of 0; the views between"),
         ([*FACTS[:5], FACTS[5] | {"origin": [float("nan"), 0, 0]}], "origin of the camera of 5 is"),
     ],
 )
