@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from stylit_ref.errors import InputError
 from stylit_ref.machine.free_threads import FreeThreads
 from stylit_ref.machine.replaced import Passes
-from stylit_ref.machine.thread_count import using_threads
+from stylit_ref.machine.thread_count import check_threads, using_threads
 from stylit_ref.machine.vector_patch import STYLE_LANES
 from stylit_ref.randomness.seed import check_seed
 from stylit_ref.realtime import passes as cpu_passes
@@ -77,8 +77,7 @@ class Session:
         passes: Passes = cpu_passes,
     ) -> None:
         check_seed(seed)
-        with using_threads(threads):
-            pass  # or InputError
+        check_threads(threads)
         self._params, self.seed = as_realtime_params(params), seed
         self._threads, self._free_threads = threads, FreeThreads()
         self._passes = passes
