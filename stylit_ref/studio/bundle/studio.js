@@ -286,10 +286,10 @@
   }
   function make(name) {
     if (name === "smooth") return null;
-    if (name === "bristles") return { follows: "stroke", heights: levelled(hairs()) };
+    if (name === "bristles") return { follows: "stroke", fill: 1.6, heights: levelled(hairs()) };
     const height = { paper: paperAt, canvas: weaveAt, speckle: speckleAt }[name];
     const heights = Float32Array.from({ length: GRAIN * GRAIN }, (_, k) => height(k % GRAIN, Math.floor(k / GRAIN)));
-    return { follows: "ground", heights: levelled(heights) };
+    return { follows: "ground", fill: 3, heights: levelled(heights) };
   }
   var paperAt = (x, y) => 0.5 * noise(x, y, 2, 1) + 0.35 * noise(x, y, 4, 2) + 0.15 * noise(x, y, 1, 3);
   var speckleAt = (x, y) => noise(x, y, 1, 4) + 0.4 * noise(x, y, 8, 5);
@@ -323,7 +323,6 @@
   }
 
   // src/stroke.ts
-  var FILL = 3;
   var Stroke = class {
     painting;
     ink;
@@ -386,7 +385,7 @@
           if (grain) {
             const hair = (down * along - right * across + 1) * (HAIRS / 2);
             const place = grain.follows === "ground" ? y % GRAIN * GRAIN + x % GRAIN : Math.min(Math.max(Math.floor(hair), 0), HAIRS - 1);
-            paint = Math.min(255, Math.max(0, FILL * (paint + grain.heights[place] - 255)));
+            paint = Math.min(255, Math.max(0, grain.fill * (paint + grain.heights[place] - 255)));
           }
           if (paint <= covered[at]) continue;
           covered[at] = paint;
@@ -1090,27 +1089,48 @@
     return digits ? [0, 2, 4].map((k) => parseInt(digits.slice(k, k + 2), 16)) : null;
   }
 
+  // src/popup.ts
+  var Popup = class {
+    button;
+    panel;
+    open;
+    /** `open` shows or hides the panel. */
+    constructor(button, panel, open) {
+      this.button = button;
+      this.panel = panel;
+      this.open = open;
+      button.onclick = () => this.turn(!this.isOpen);
+      addEventListener("pointerdown", ({ target }) => {
+        if (this.isOpen && target instanceof Node && !panel.contains(target) && !button.contains(target)) this.turn(false);
+      });
+      addEventListener("keydown", (event) => {
+        if (event.key !== "Escape" || !this.isOpen) return;
+        const hadFocus = this.panel.contains(document.activeElement);
+        this.turn(false);
+        if (hadFocus) this.button.focus();
+      });
+    }
+    get isOpen() {
+      return this.button.ariaExpanded === "true";
+    }
+    turn(isOpen) {
+      this.button.ariaExpanded = String(isOpen);
+      this.open(isOpen);
+    }
+  };
+
   // src/palette.ts
   var PARTS = { hue: 360, saturation: 100, value: 100 };
   var Palette = class {
     settings;
     button = byId("colour");
-    panel = byId("palette");
     number = byId("colour-number");
     colour;
     constructor(settings) {
       this.settings = settings;
       this.colour = colourOf(settings.chosen.rgb);
-      this.button.onclick = () => this.open(this.panel.hidden === true);
-      addEventListener("pointerdown", ({ target }) => {
-        if (target instanceof Node && !this.panel.contains(target) && !this.button.contains(target)) this.open(false);
-      });
-      addEventListener("keydown", (event) => {
-        if (event.key !== "Escape" || this.panel.hidden) return;
-        const hadFocus = this.panel.contains(document.activeElement);
-        this.open(false);
-        if (hadFocus) this.button.focus();
-      });
+      const panel = byId("palette");
+      new Popup(this.button, panel, (isOpen) => panel.hidden = !isOpen);
       for (const part of Object.keys(PARTS)) {
         const slider = byId(part);
         slider.oninput = () => {
@@ -1124,10 +1144,6 @@
         else this.number.value = hexOf(settings.chosen.rgb);
       };
       settings.onChange(() => this.show());
-    }
-    open(isOpen) {
-      this.panel.hidden = !isOpen;
-      this.button.ariaExpanded = String(isOpen);
     }
     choose(rgb) {
       this.settings.choose({ rgb, usesTexture: false });
@@ -1378,23 +1394,21 @@
 
   // src/room.ts
   var WIDE = matchMedia("(min-width: 1100px)");
-  function folding(button, name) {
-    const fold = (isOpen) => {
-      document.body.classList.toggle(name, isOpen);
-      button.ariaExpanded = String(isOpen);
-    };
-    button.onclick = () => fold(!document.body.classList.contains(name));
-    return fold;
-  }
   function room() {
-    const foldPanels = folding(byId("panels-open"), "shows-panels");
-    foldPanels(WIDE.matches);
-    WIDE.addEventListener("change", () => foldPanels(WIDE.matches));
-    byId("panels-close").onclick = () => {
-      foldPanels(false);
-      byId("panels-open").focus();
+    const button = byId("panels-open");
+    const shows = (name) => (isShown) => void document.body.classList.toggle(name, isShown);
+    const showPanels = (areShown) => {
+      shows("shows-panels")(areShown);
+      button.ariaExpanded = String(areShown);
     };
-    folding(byId("brush-open"), "shows-brush");
+    showPanels(WIDE.matches);
+    WIDE.addEventListener("change", () => showPanels(WIDE.matches));
+    button.onclick = () => showPanels(button.ariaExpanded !== "true");
+    byId("panels-close").onclick = () => {
+      showPanels(false);
+      button.focus();
+    };
+    new Popup(byId("brush-open"), byId("brush"), shows("shows-brush"));
     const help = byId("help-dialog");
     byId("help").onclick = () => help.showModal();
     for (const close of document.querySelectorAll("[data-close]"))
@@ -1404,7 +1418,7 @@
       byId("views").src = "/views/";
       views.showModal();
     };
-    return { togglePanels: () => byId("panels-open").click(), showHelp: () => help.showModal() };
+    return { togglePanels: () => button.click(), showHelp: () => help.showModal() };
   }
 
   // src/refusals.ts
