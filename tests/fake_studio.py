@@ -55,7 +55,7 @@ class FakeStudio:
         Those that pages sent.
     """
 
-    def __init__(self, size=(120, 160), *, serial=0, panels=(), port=0):
+    def __init__(self, size=(120, 160), *, serial=0, panels=("scan",), port=0):
         rng = np.random.default_rng(7)
         self.beginning = rng.integers(90, 220, (*size, 3), dtype=np.uint8)
         self.painting = self.beginning.copy()

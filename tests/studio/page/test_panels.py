@@ -70,17 +70,17 @@ def test_single_operations(page, studio):
 
 
 def test_parameters_of_every_kind(page, studio):
-    page.page.get_by_role("slider", name="levels").evaluate(
+    page.page.get_by_role("slider", name="levels L").evaluate(
         "(it) => { it.value = 5; it.dispatchEvent(new Event('input')); }"
     )
     assert studio.asks("parameters")["values"] == {"levels": 5}
     assert page.page.locator("#picture-look-choice option[value='level:4']").count() == 1
     studio.asked.clear()
-    mu = page.page.get_by_role("group", name="mu")
-    mu.get_by_role("button", name="One level fewer for mu").click()
+    mu = page.page.get_by_role("group", name="style μ")
+    mu.get_by_role("button", name="One level fewer for style μ").click()
     assert studio.asks("parameters")["values"] == {"mu": [4, 4]}
     studio.asked.clear()
-    page.page.get_by_role("spinbutton", name="spacing").fill("4")
+    page.page.get_by_role("spinbutton", name="spacing r").fill("4")
     page.page.keyboard.press("Enter")
     assert studio.asks("parameters")["values"] == {"spacing": 4}
     studio.asked.clear()
@@ -96,7 +96,7 @@ def test_dense_parameters_are_grey_in_live_mode(page):
     assert dense.is_disabled()
     page.page.locator("#of-dense").check(force=True)
     assert dense.is_enabled()
-    assert page.page.get_by_role("slider", name="levels").is_disabled()
+    assert page.page.get_by_role("slider", name="levels L").is_disabled()
 
 
 def test_weights_layers_and_seed(page, studio):
@@ -138,6 +138,7 @@ def test_a_photograph_without_marks_has_corners_to_drag(page, studio, tmp_path):
 
 
 def test_panels_of_rooms_that_are_missing_are_absent(page):
+    assert page.page.locator("#paper-panel").is_visible()
     assert page.page.locator("#texture-panel").is_hidden()
     assert page.page.locator("#views-panel").is_hidden()
 
