@@ -83,7 +83,10 @@ class FakeStudio:
             WebSocketRoute("/live", self._live),
         ]
         config = uvicorn.Config(
-            Starlette(routes=routes), log_level="critical", timeout_graceful_shutdown=1
+            Starlette(routes=routes),
+            log_level="critical",
+            timeout_graceful_shutdown=1,
+            ws_per_message_deflate=False,
         )
         self.server = uvicorn.Server(config)
         self.thread = threading.Thread(

@@ -1394,7 +1394,7 @@
     warm: "searched on from the last step of the turn",
     fast: "the dense method, preset fast",
     full: "the full method",
-    step: "as far as the step buttons have gone"
+    step: "by the step buttons"
   };
   var Result = class {
     which = null;

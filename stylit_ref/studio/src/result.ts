@@ -12,7 +12,7 @@ const MEANINGS: Record<Exclude<Which, "look">, string> = {
   warm: "searched on from the last step of the turn",
   fast: "the dense method, preset fast",
   full: "the full method",
-  step: "as far as the step buttons have gone",
+  step: "by the step buttons",
 };
 
 export class Result {
