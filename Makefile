@@ -13,7 +13,7 @@ ARGS ?=
 WORKERS ?= 2
 PYTHONS ?= 3.11 3.12 3.13 3.14
 
-.PHONY: eval reports schedules epsilon stylit spilling levels bench scenes test test-fast test-gpu ptx docs wheel lowest lint viewer viewer-bundle data blender help clean
+.PHONY: eval reports schedules epsilon stylit spilling levels bench scenes test test-fast test-gpu ptx docs wheel lowest lint viewer bundles data blender help clean
 
 eval: $(VENV)/$(if $(SCHEDULER),cluster,eval).installed ## make the report on the thesis: PRESET=quick or thesis, SCHEDULER=ADDRESS, ARGS="--scene DIR"; DOCUMENT=lasram: on texture synthesis, heidrich: on real time
 	$(BIN)/python -m eval $(or $(DOCUMENT),dzurenko) $(if $(PRESET),--preset "$(PRESET)") $(if $(SCHEDULER),--scheduler "$(SCHEDULER)") $(ARGS)
@@ -87,7 +87,7 @@ lint: $(VENV)/lint.installed ## ruff, import contracts, and whether every public
 	$(BIN)/ruff format --check .
 	$(BIN)/lint-imports
 	PATH="$(abspath $(BIN)):$$PATH" pyright --verifytypes stylit_ref --ignoreexternal
-	$(MAKE) viewer-check
+	$(MAKE) bundles-check
 
 HOUSE := build/data/600x456
 viewer: $(VENV)/render.installed ## make the example page of the viewer, the house: build/viewer/house.html
@@ -95,22 +95,25 @@ viewer: $(VENV)/render.installed ## make the example page of the viewer, the hou
 	$(BIN)/stylit-ref views --preset fast --manifest $(HOUSE)/manifests/house/views.json --run build/viewer/run --output 'build/viewer/{view}.png'
 	$(BIN)/stylit-ref viewer build/viewer/run --title "A sketched house" --output build/viewer/house.html
 
-VIEWER := stylit_ref/viewer
-BUNDLE = cd $(VIEWER) && npm run --silent check && npm run --silent bundle -- --log-level=warning --outfile=
+PAGES := viewer studio
+BUNDLE = cd stylit_ref/$(1) && ../../node_modules/.bin/esbuild src/main.ts --bundle --format=iife --target=es2022 \
+	--legal-comments=none --log-level=warning --outfile=$(2)
 
-viewer-bundle: $(VIEWER)/node_modules/.package-lock.json ## build the program of the viewer's page from its TypeScript; needs Node.js
-	$(BUNDLE)bundle/viewer.js
+bundles: node_modules/.package-lock.json ## build the programs of the pages from their TypeScript; needs Node.js
+	node_modules/.bin/tsc --noEmit
+	$(foreach page,$(PAGES),($(call BUNDLE,$(page),bundle/$(page).js)) &&) true
 
-viewer-check: # the committed program is that of its sources
-	@if command -v npm >/dev/null; then $(MAKE) viewer-compare; else echo "no npm here: the viewer's program is not compared with its sources"; fi
+bundles-check: # the committed programs are those of their sources
+	@if command -v npm >/dev/null; then $(MAKE) $(PAGES:%=bundle-compare-%); else echo "no npm here: the pages' programs are not compared with their sources"; fi
 
-viewer-compare: $(VIEWER)/node_modules/.package-lock.json
+bundle-compare-%: node_modules/.package-lock.json
 	mkdir -p build
-	$(BUNDLE)../../build/viewer.js
-	cmp build/viewer.js $(VIEWER)/bundle/viewer.js || { echo "run make viewer-bundle, and commit what it builds"; exit 1; }
+	node_modules/.bin/tsc --noEmit
+	$(call BUNDLE,$*,../../build/$*.js)
+	cmp build/$*.js stylit_ref/$*/bundle/$*.js || { echo "run make bundles, and commit what it builds"; exit 1; }
 
-$(VIEWER)/node_modules/.package-lock.json: $(VIEWER)/package-lock.json
-	cd $(VIEWER) && npm ci --no-audit --no-fund --silent
+node_modules/.package-lock.json: package-lock.json
+	npm ci --no-audit --no-fund --silent
 	touch $@
 
 docs: $(VENV)/docs.installed ## build the site, build/site/index.html: docs, notebooks, API, reports

@@ -13,7 +13,7 @@ from stylit_ref.viewer.write_page import folder_texts, page_bytes, write_folder
 
 pytestmark = pytest.mark.slow  # a browser is a process of its own
 
-AXE = Path(__file__).parents[2] / "stylit_ref/viewer/node_modules/axe-core/axe.min.js"
+AXE = Path(__file__).parents[2] / "node_modules/axe-core/axe.min.js"
 NO_WEBGL = """HTMLCanvasElement.prototype.getContext = ((get) => function (kind, ...rest) {
   return kind === "webgl2" ? null : get.call(this, kind, ...rest);
 })(HTMLCanvasElement.prototype.getContext);"""
@@ -309,7 +309,7 @@ def test_a_large_grid_is_streamed(open_page, tmp_path):
 
 def test_axe_finds_nothing(open_page, page_file):
     if not AXE.exists():
-        pytest.skip("axe-core is not installed; run make viewer-bundle")
+        pytest.skip("axe-core is not installed; run make bundles")
     page = open_page(page_file).rested()
     page.page.add_script_tag(path=AXE)
     found = page.page.evaluate(

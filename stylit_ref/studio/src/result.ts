@@ -1,0 +1,70 @@
+// The picture on the right: the newest wins, and its caption says what it is.
+
+import { byId } from "./elements.js";
+import { oncePerFrame } from "./frames.js";
+import type { Latency } from "./latency.js";
+import { imageOf } from "./pixels.js";
+import type { Frame, Which } from "./protocol.js";
+
+const MEANINGS: Record<Exclude<Which, "look">, string> = {
+  replay: "the last match, with your new paint",
+  coherent: "searched anew with the same seed",
+  warm: "searched on from the last step of the turn",
+  fast: "the dense method, preset fast",
+  full: "the full method",
+  step: "as far as the step buttons have gone",
+};
+
+export class Result {
+  readonly canvas = byId<HTMLCanvasElement>("picture");
+  which: Which | null = null;
+  private readonly context = this.canvas.getContext("2d", { alpha: false }) as CanvasRenderingContext2D;
+  private readonly latency: Latency;
+  private readonly resized: (width: number, height: number) => void;
+  private newest: Frame | null = null;
+  private serial = 0;
+  private readonly askFrame: () => void;
+
+  constructor(latency: Latency, resized: (width: number, height: number) => void) {
+    this.latency = latency;
+    this.resized = resized;
+    this.askFrame = oncePerFrame(() => this.draw());
+  }
+
+  /** Begin again, as the server counts serials from elsewhere. */
+  forget(): void {
+    this.serial = 0;
+    this.newest = null;
+  }
+
+  show(frame: Frame): void {
+    if (frame.serial < this.serial) return;
+    this.serial = frame.serial;
+    this.newest = frame;
+    this.askFrame();
+  }
+
+  private draw(): void {
+    const { newest, canvas } = this;
+    if (!newest) return;
+    this.newest = null;
+    const { which, width, height, serial, milliseconds } = newest;
+    if (canvas.width !== width || canvas.height !== height) {
+      Object.assign(canvas, { width, height });
+      this.resized(width, height);
+    }
+    this.context.putImageData(imageOf(width, height, newest.rgb), 0, 0);
+    this.which = which;
+    byId("empty").hidden = true;
+    byId("which").textContent = which;
+    byId("which").dataset.which = which;
+    byId("took").textContent = timeOf(milliseconds);
+    byId("meaning").textContent = which === "look" ? "" : MEANINGS[which];
+    this.latency.shows(which, serial);
+  }
+}
+
+function timeOf(milliseconds: number): string {
+  if (milliseconds < 9.95) return `${milliseconds.toFixed(1)} ms`;
+  return milliseconds < 999.5 ? `${milliseconds.toFixed(0)} ms` : `${(milliseconds / 1000).toFixed(1)} s`;
+}

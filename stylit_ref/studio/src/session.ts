@@ -1,0 +1,216 @@
+// What the page does when the server speaks: who paints, which painting, which scene.
+
+import type { Artist } from "./artist.js";
+import type { Connection, Heard } from "./connection.js";
+import { byId } from "./elements.js";
+import type { Exporting } from "./exporting.js";
+import type { Guides } from "./guides.js";
+import type { Looks } from "./looks.js";
+import type { Notices } from "./notices.js";
+import { Painting } from "./painting.js";
+import type { Parameters } from "./parameters.js";
+import { fromRgb } from "./pixels.js";
+import type { Progress } from "./progress.js";
+import { VERSION, type Chosen, type Frame, type Role, type Said, type SceneSaid, type Value, type Welcome } from "./protocol.js";
+import { sentenceOf } from "./refusals.js";
+import type { Result } from "./result.js";
+import type { Sender } from "./sender.js";
+import type { Steps } from "./steps.js";
+import type { Texture } from "./texture.js";
+import type { Turning } from "./turning.js";
+
+export interface Parts {
+  connection: Connection;
+  sender: Sender;
+  artist: Artist;
+  result: Result;
+  looks: Looks;
+  turning: Turning;
+  notices: Notices;
+  guides: Guides;
+  steps: Steps;
+  exporting: Exporting;
+  progress: Progress;
+  texture: Texture;
+  parameters: Parameters;
+  /** Another painting lies on the easel. */
+  uses(painting: Painting): void;
+}
+
+export class Session implements Heard {
+  painting: Painting | null = null;
+  role: Role | null = null;
+  private readonly parts: Parts;
+  private scenes: SceneSaid[] = [];
+  private scene = "";
+  /** Which painting comes next, after a welcome. */
+  private awaited: { serial: number; keepsOwn: boolean } | null = null;
+  private wasLost = false;
+
+  constructor(parts: Parts) {
+    this.parts = parts;
+    const { connection } = parts;
+    const chosen = byId<HTMLSelectElement>("scene");
+    chosen.onchange = () => connection.ask({ do: "scene", name: chosen.value });
+    const seed = byId<HTMLInputElement>("seed");
+    seed.onchange = () => (seed.checkValidity() ? connection.ask({ do: "seed", value: seed.valueAsNumber }) : seed.reportValidity());
+    byId("seed-next").onclick = () => {
+      seed.value = String(seed.valueAsNumber + 1);
+      connection.ask({ do: "seed", value: seed.valueAsNumber });
+    };
+  }
+
+  said(said: Said): void {
+    const { notices, progress, steps, exporting } = this.parts;
+    switch (said.say) {
+      case "welcome": return this.welcome(said);
+      case "scene": return this.choose(said);
+      case "role": return this.take(said.role);
+      case "working":
+        progress.working(said);
+        return said.state === "failed" ? notices.problem(said.text) : undefined;
+      case "compiling": return progress.compiling(said.text, said.done, said.total);
+      case "problem":
+        this.parts.looks.fail();
+        exporting.fail(said.text);
+        return notices.problem(said.text);
+      case "saved": return void (byId("saved").textContent = said.text);
+      case "stepped": return steps.tell(said);
+      case "exported": return exporting.tell(said);
+      case "notes": return said.texts.length ? notices.say(said.texts.join(" ")) : undefined;
+    }
+  }
+
+  frame(frame: Frame): void {
+    const { result, looks, steps } = this.parts;
+    if (frame.isPainting) return this.repaint(frame);
+    if (frame.which === "look") return looks.answer(frame);
+    if (frame.which !== "step") steps.leave();
+    result.show(frame);
+    looks.follow(frame.which);
+  }
+
+  lost(): void {
+    const { notices, sender, progress } = this.parts;
+    sender.allow(false);
+    progress.forget();
+    const isAgain = this.wasLost;
+    this.wasLost = true;
+    if (!this.painting) return notices.while("line", { text: "The studio does not answer. The page tries again." });
+    const text = "The connection is lost. Go on painting: the page tries again, and sends what you paint meanwhile.";
+    notices.while("line", { text });
+    // It may have been started anew, and know this browser no longer.
+    if (isAgain) void fetch("/", { method: "HEAD" }).then(({ status }) => status === 403 && this.tellStranger(), () => undefined);
+  }
+
+  /** Somebody has chosen a parameter on the page. */
+  changed(name: string, value: Value): void {
+    if (name !== "levels") return;
+    this.parts.looks.offer(this.now, value as number);
+  }
+
+  private tellStranger(): void {
+    const text = "The studio was started anew. Open the address that it printed: this page then goes on, with all you painted.";
+    if (!this.parts.connection.isOpen) this.parts.notices.while("line", { text });
+  }
+
+  private welcome(welcome: Welcome): void {
+    const { notices, sender, result, texture } = this.parts;
+    if (welcome.version !== VERSION) return notices.while("line", { text: "The studio is of another version than this page. Reload the page." });
+    notices.while("line", null);
+    const own = this.painting;
+    const isOther = !own || own.width !== welcome.painting.width || own.height !== welcome.painting.height;
+    const isAhead = !isOther && (sender.isBehind || (this.role === "painter" && sender.serial > welcome.painting.serial));
+    this.awaited = { serial: welcome.painting.serial, keepsOwn: isAhead };
+    if (isAhead) sender.serial = Math.max(sender.serial, welcome.painting.serial);
+    result.forget();
+    this.scenes = welcome.scenes;
+    const chosen = byId<HTMLSelectElement>("scene");
+    chosen.replaceChildren(...this.scenes.map(({ name, title }) => new Option(title, name)));
+    byId("name").textContent = welcome.painting.name;
+    document.title = `${welcome.painting.name} · Studio`;
+    if (welcome.seed !== undefined) byId<HTMLInputElement>("seed").value = String(welcome.seed);
+    this.choose(welcome);
+    this.take(welcome.role);
+    byId("views-panel").hidden = !welcome.panels.includes("views");
+    if (welcome.panels.includes("texture") && byId("texture-panel").hidden)
+      texture.open().catch((error: unknown) => notices.problem(sentenceOf(error)));
+    if (welcome.notes.length) notices.say(welcome.notes.join(" "));
+    else if (this.wasLost) notices.say(isAhead ? "Connected again; what you painted meanwhile is sent." : "Connected again.");
+    this.wasLost = false;
+  }
+
+  private choose({ scene, step, parameters, weights, layers }: Chosen): void {
+    const { turning, looks, guides, steps } = this.parts;
+    this.scene = byId<HTMLSelectElement>("scene").value = scene;
+    this.parts.parameters.offer(parameters.fields, parameters.values);
+    turning.offer(this.now.steps, step);
+    guides.offer(this.now, weights, layers ?? []);
+    steps.leave();
+    looks.offer(this.now, Number(parameters.values.levels ?? 0));
+  }
+
+  private get now(): SceneSaid {
+    return this.scenes.find(({ name }) => name === this.scene) as SceneSaid;
+  }
+
+  private take(role: Role): void {
+    const { notices, connection, artist, sender } = this.parts;
+    const isReader = role === "reader";
+    this.role = role;
+    artist.mayPaint = !isReader;
+    sender.allow(!isReader && !this.awaited);
+    artist.tell();
+    document.body.classList.toggle("reads", isReader);
+    for (const set of document.querySelectorAll<HTMLFieldSetElement>("fieldset.painters")) set.disabled = isReader;
+    const text = sender.isBehind
+      ? "Another page has the brush. This one holds strokes that the studio does not have: take over to keep them."
+      : "Another page has the brush; this one looks on.";
+    const button = { text: "Take over", press: () => void connection.ask({ do: "take_over" }) };
+    notices.while("role", isReader ? { text, button } : null);
+  }
+
+  private repaint(frame: Frame): void {
+    const { artist, sender } = this.parts;
+    const { awaited } = this;
+    const isBeginning = frame.serial === 0;
+    const isOther = this.painting?.width !== frame.width || this.painting.height !== frame.height;
+    if (isOther) this.begin(frame);
+    if (isBeginning) artist.beginning = inkOf(frame);
+    if (awaited) {
+      if (frame.serial !== awaited.serial) return; // it is what the painting began with
+      this.awaited = null;
+      if (awaited.keepsOwn) {
+        if (this.role === "painter") sender.sendAll();
+      } else this.adopt(frame);
+    } else if (isOther) this.adopt(frame);
+    else if (this.role === "painter" && !isBeginning) {
+      artist.replace(frame.rgb);
+      if (frame.serial < sender.serial) sender.sendAll();
+      else sender.forget(frame.serial);
+    } else if (!isBeginning && !sender.isBehind) this.adopt(frame);
+    sender.allow(this.role === "painter");
+  }
+
+  private begin(frame: Frame): void {
+    const { artist, uses, sender } = this.parts;
+    this.painting = new Painting(byId("painting"), frame.width, frame.height);
+    artist.use(this.painting);
+    sender.forget(frame.serial);
+    uses(this.painting);
+    byId("no-painting").hidden = true;
+  }
+
+  private adopt(frame: Frame): void {
+    const { artist, sender } = this.parts;
+    this.painting?.replace(frame.rgb);
+    if (frame.serial !== sender.serial) artist.forget(); // undo would bring back what others painted over
+    sender.forget(frame.serial);
+  }
+}
+
+function inkOf({ width, height, rgb }: Frame) {
+  const pixels = new Uint32Array(width * height);
+  fromRgb(rgb, pixels);
+  return { width, height, pixels };
+}
