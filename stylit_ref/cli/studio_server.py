@@ -106,9 +106,9 @@ def _panels(options: argparse.Namespace, shelf: Shelf) -> list[Panel]:
         _tell_absent("scans", error)
     if options.texture:
         try:
-            from stylit_ref.studio.server.texture_panel import texture_panel
+            from stylit_ref.studio.server.texture_panel import read_texture, texture_panel
 
-            panels.append(texture_panel(existing_file(options.texture)))
+            panels.append(texture_panel(read_texture(existing_file(options.texture))))
         except ModuleNotFoundError as error:
             _tell_absent("textures", error)
     if options.views:

@@ -15,7 +15,7 @@ class Answer(NamedTuple):
 
 def headers_of(access, *, cookie=True, origin=True, host=None, **more):
     """What a browser sends from the studio's own page; ``None`` leaves a header out."""
-    own = host or f"127.0.0.1:{access.port}"
+    own = f"127.0.0.1:{access.port}" if host is None else host
     sent = {
         "host": own,
         "origin": f"http://{own}" if origin else None,
@@ -37,7 +37,7 @@ async def ask(app, path, headers, *, method="GET", query=b"", body=b""):
     outgoing = []
 
     async def receive():
-        return incoming.pop() if incoming else {"type": "http.disconnect"}
+        return incoming.pop() if incoming else await asyncio.Event().wait()
 
     async def send(message):
         outgoing.append(message)

@@ -23,17 +23,20 @@ def write_passes(folder, size, layers=LAYERS, seed=0):
 
 
 def small_shelf(folder):
-    """Two scenes: ``one`` and ``two``."""
-    source = write_passes(folder / "source", SIZE)
-    targets = (write_passes(folder / name, TARGET_SIZE, seed=k)
-               for k, name in enumerate(("one", "two"), 1))  # fmt: skip
-    return Shelf([offer_of_files(target.name, source, target) for target in targets])
+    """Two scenes, ``one`` and ``two``, whose files are written if they are not there."""
+    for seed, (name, size) in enumerate(
+        (("source", SIZE), ("one", TARGET_SIZE), ("two", TARGET_SIZE))
+    ):
+        if not (folder / name).exists():
+            write_passes(folder / name, size, seed=seed)
+    return Shelf(
+        [offer_of_files(name, folder / "source", folder / name) for name in ("one", "two")]
+    )
 
 
 def small_beginning(folder, **more):
     """What a studio begins with, in ``folder / "painting"``; ``more`` goes to ``begin``."""
-    shelf = small_shelf(folder)
-    return begin(shelf, PaintingFolder(folder / "painting"), **more)
+    return begin(small_shelf(folder), PaintingFolder(folder / "painting"), **more)
 
 
 class NotedEngine:

@@ -1,6 +1,7 @@
 """A folder that holds a painting and what it was painted with; a restart begins with it."""
 
 import json
+import logging
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from datetime import datetime
@@ -180,7 +181,10 @@ class PaintingFolder:
             if not all(isinstance(vars(setting)[name], kind) for name, kind in _KINDS.items()):
                 raise ValueError
         except (OSError, ValueError, TypeError, RecursionError):
-            note(f"{self._setting}: cannot be read, so sliders, scene and seed are the usual ones")
+            note(
+                f"{self._setting}: cannot be read, so sliders, scene and seed are the usual ones",
+                level=logging.WARNING,
+            )
             return Setting()
         return setting
 

@@ -93,7 +93,7 @@ class Access:
         sent = "; ".join(_by_name(headers).get(b"cookie", []))
         values = [
             value
-            for name, _, value in (each.strip().partition("=") for each in sent.split(";"))
+            for name, _, value in (each.strip(" \t").partition("=") for each in sent.split(";"))
             if name == self.cookie_name
         ]
         return sum(_equal(value, self.secret) for value in values) > 0

@@ -32,6 +32,10 @@ class DroppedTexture:
     ----------
     exemplar : (H, W, 3) uint8
     side, iterations : int
+
+    Attributes
+    ----------
+    exemplar : (H, W, 3) uint8
     """
 
     def __init__(
@@ -90,13 +94,8 @@ class DroppedTexture:
         return self._made
 
 
-def texture_panel(file: str | Path) -> Panel:
-    """``/texture/exemplar``, ``/texture/picture`` and ``/texture/drop``.
-
-    Parameters
-    ----------
-    file : str or Path
-        The exemplar.
+def read_texture(file: str | Path) -> DroppedTexture:
+    """A texture of an exemplar's file.
 
     Raises
     ------
@@ -105,8 +104,11 @@ def texture_panel(file: str | Path) -> Panel:
     """
     image = read_uint8(file)
     colours = image if image.shape[2] in (1, 3) else image[:, :, :-1]
-    exemplar = np.ascontiguousarray(np.broadcast_to(colours, (*image.shape[:2], 3)))
-    texture = DroppedTexture(exemplar)
+    return DroppedTexture(np.ascontiguousarray(np.broadcast_to(colours, (*image.shape[:2], 3))))
+
+
+def texture_panel(texture: DroppedTexture) -> Panel:
+    """``/texture/exemplar``, ``/texture/picture`` and ``/texture/drop``."""
 
     async def shown(request: Request) -> Response:
         return png_response(texture.exemplar)
