@@ -2,17 +2,23 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from threading import Lock
 
 import numpy as np
 from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
 from stylit_ref.files.guides.encoding import GuideEncoding
+from stylit_ref.parameters import Integer
+from stylit_ref.realtime.packing.named_buffers import roles_of
 
 Buffers = Mapping[str, NDArray[np.uint8]]
 
 LARGEST_SIDE = 4096
 """Most pixels along a side of the painting, and of a target."""
+
+_MOST_KEPT = 256 << 20
+"""Bytes of the steps of a target that are kept once they are read."""
 
 
 @dataclass(frozen=True)
@@ -42,7 +48,8 @@ class Scene:
     title : str
         For people.
     source : mapping of str to (H_A, W_A, n) uint8
-        By buffer; the size is that of the painting.
+        By buffer, called as :func:`~stylit_ref.realtime.packing.named_buffers.roles_of` calls them;
+        the size is that of the painting. Without files they have one or three channels.
     targets : sequence of callable
         For each step what reads its buffers, those of the source: (H_B, W_B, n) uint8.
     files : SceneFiles, optional
@@ -55,7 +62,8 @@ class Scene:
     Raises
     ------
     InputError
-        If there is no buffer or no step, buffers differ in size, or a side is too long.
+        If there is no buffer or no step, buffers differ in size, a side is too long, or buffers
+        could not be written for an export.
     """
 
     name: str
@@ -66,11 +74,14 @@ class Scene:
     encodings: tuple[GuideEncoding, ...] = ()
     layers: tuple[str, ...] = ()
     _read: dict[int, Buffers] = field(default_factory=dict, init=False, repr=False)
+    _lock: Lock = field(default_factory=Lock, init=False, repr=False)
 
     def __post_init__(self) -> None:
         if not self.source or not self.targets:
             raise InputError(f"the scene {self.name} needs a buffer and a target")
         _check_sizes(self.source, f"the source of {self.name}")
+        if self.files is None:
+            self._check_writable()
 
     @property
     def buffers(self) -> tuple[str, ...]:
@@ -89,32 +100,52 @@ class Scene:
         return len(self.targets)
 
     def target(self, step: int) -> Buffers:
-        """Buffers of a step, by name; those of the last one are kept.
+        """Buffers of a step, by name; those that were read last are kept.
 
         Raises
         ------
         InputError
             If there is no such step, or its buffers are not those of the source.
         """
-        if not 0 <= step < self.steps:
-            raise InputError(f"is {step}; it must be from 0 to {self.steps - 1}", parameter="step")
-        if step not in self._read:
-            buffers = self.targets[step]()
-            _check_sizes(buffers, f"step {step} of {self.name}")
-            kinds = ({name: image.shape[2:] for name, image in side.items()}
-                     for side in (self.source, buffers))  # fmt: skip
-            own, found = kinds
-            if own != found:
-                raise InputError(
-                    f"step {step} of {self.name} has other buffers or channels than the source; "
-                    "render both with the same passes"
-                )
-            self._read.clear()
-            self._read[step] = buffers
-        return self._read[step]
+        Integer(0, self.steps - 1).check("step", step)
+        with self._lock:
+            if step not in self._read:
+                self._read[step] = self._checked(step, self.targets[step]())
+                while len(self._read) > 1 and _bytes_of(self._read) > _MOST_KEPT:
+                    del self._read[next(iter(self._read))]
+            return self._read[step]
+
+    def _checked(self, step: int, buffers: Buffers) -> Buffers:
+        _check_sizes(buffers, f"step {step} of {self.name}")
+        if _channels_of(buffers) != _channels_of(self.source):
+            raise InputError(
+                f"step {step} of {self.name} has other buffers or channels than the source; "
+                "render both with the same passes"
+            )
+        return buffers
+
+    def _check_writable(self) -> None:
+        if roles_of(self.buffers, ()) != list(self.buffers) or any(
+            not name.isidentifier() or image.shape[2] not in (1, 3)
+            for name, image in self.source.items()
+        ):
+            raise InputError(
+                f"the source of {self.name} has the buffers {', '.join(self.buffers)}; without "
+                "files each needs one or three channels and a name of capitals, as FULL or LDE"
+            )
+
+
+def _channels_of(buffers: Buffers) -> dict[str, int]:
+    return {name: image.shape[2] for name, image in buffers.items()}
+
+
+def _bytes_of(steps: Mapping[int, Buffers]) -> int:
+    return sum(image.nbytes for buffers in steps.values() for image in buffers.values())
 
 
 def _check_sizes(buffers: Buffers, whose: str) -> None:
+    if any(image.dtype != np.uint8 or image.ndim != 3 for image in buffers.values()):
+        raise InputError(f"{whose} must have buffers of uint8, each (height, width, channels)")
     sizes = {image.shape[:2] for image in buffers.values()}
     if len(sizes) != 1:
         raise InputError(f"{whose} has buffers of several sizes; make them as large as each other")
