@@ -20,6 +20,7 @@ from stylit_ref.cli import (
     replay_texture,
     run,
     sequence,
+    studio,
     texture,
     view,
     viewer,
@@ -45,6 +46,7 @@ small picture of it:
 COMMANDS = (
     example,
     run,
+    studio,
     sequence,
     views,
     view,

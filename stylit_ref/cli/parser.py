@@ -73,7 +73,8 @@ class Parser(argparse.ArgumentParser):
         takes_rest = any(
             action.nargs in (argparse.PARSER, argparse.REMAINDER) for action in arguments
         )
-        flag, owed, free = None, 0, len(arguments)
+        takes_any = any(action.nargs == "*" for action in arguments)
+        flag, owed, free = None, 0, len(words) if takes_any else len(arguments)
         for word in words:
             if word == "--":
                 return

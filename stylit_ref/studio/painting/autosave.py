@@ -1,0 +1,67 @@
+"""Save a painting in a thread of its own, the newest state, and not too often."""
+
+import time
+from collections.abc import Callable
+from threading import Condition, Thread
+
+from stylit_ref.errors import InputError
+from stylit_ref.studio.painting.folder import PaintingFolder, Saved
+
+PAUSE = 1.0
+"""Seconds between two savings."""
+
+
+class Autosave:
+    """Saves what it is given, unless something newer comes first.
+
+    Parameters
+    ----------
+    folder : PaintingFolder
+    tell : callable
+        Called by the thread with an error, or with None when all is on the disk.
+    pause : float
+        Seconds between two savings.
+    """
+
+    def __init__(
+        self,
+        folder: PaintingFolder,
+        tell: Callable[[InputError | None], None],
+        *,
+        pause: float = PAUSE,
+    ) -> None:
+        self._folder, self._tell, self._pause = folder, tell, pause
+        self._newest: Saved | None = None
+        self._ends, self._changed = False, Condition()
+        self._thread = Thread(target=self._run, name="autosave", daemon=True)
+        self._thread.start()
+
+    def save(self, saved: Saved) -> None:
+        """Have this saved soon; its painting must not change any more."""
+        with self._changed:
+            self._newest = saved
+            self._changed.notify()
+
+    def close(self) -> None:
+        """Return when all is saved."""
+        with self._changed:
+            self._ends = True
+            self._changed.notify()
+        self._thread.join()
+
+    def _run(self):
+        next_time = 0.0
+        while True:
+            with self._changed:
+                self._changed.wait_for(lambda: self._newest is not None or self._ends)
+                self._changed.wait_for(lambda: self._ends, next_time - time.monotonic())
+                saved, self._newest = self._newest, None
+            if saved is None:
+                return
+            next_time = time.monotonic() + self._pause
+            try:
+                self._folder.save(saved)
+            except InputError as error:
+                self._tell(error)
+            else:
+                self._tell(None)

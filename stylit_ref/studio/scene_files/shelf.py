@@ -1,0 +1,67 @@
+"""The scenes of a studio; all are painted on one painting."""
+
+from collections.abc import Iterator, Sequence
+
+from stylit_ref.errors import InputError
+from stylit_ref.studio.engine.scene import Scene
+from stylit_ref.studio.scene_files.offer import Offer
+
+
+class Shelf:
+    """Offers by name.
+
+    Parameters
+    ----------
+    offers : sequence of Offer
+        At least one, each with a name of its own.
+
+    Raises
+    ------
+    InputError
+        If their sources differ in size.
+    """
+
+    def __init__(self, offers: Sequence[Offer]) -> None:
+        self._offers = {offer.name: offer for offer in offers}
+        first = offers[0]
+        for offer in offers:
+            if offer.size != first.size:
+                raise InputError(
+                    f"{offer.title}: its source is {offer.size[1]}x{offer.size[0]}, and that of "
+                    f"{first.title} is {first.size[1]}x{first.size[0]}; open them one at a time"
+                )
+
+    def __iter__(self) -> Iterator[Offer]:
+        return iter(self._offers.values())
+
+    @property
+    def first(self) -> Offer:
+        """What a studio begins with."""
+        return next(iter(self))
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Height and width of the painting."""
+        return self.first.size
+
+    def offer(self, name: str) -> Offer:
+        """A scene by its name.
+
+        Raises
+        ------
+        InputError
+            If there is none.
+        """
+        if name not in self._offers:
+            raise InputError(f"there is no scene {name[:40]!r}")
+        return self._offers[name]
+
+    def open(self, name: str, picked: Sequence[str] = ()) -> Scene:
+        """Read a scene, with those of its layers that are picked.
+
+        Raises
+        ------
+        InputError
+            If it cannot be read.
+        """
+        return self.offer(name).read(picked)

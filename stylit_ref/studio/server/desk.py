@@ -1,0 +1,249 @@
+"""The one painting of a studio, its engine, and the pages around it."""
+
+import asyncio
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from dataclasses import replace
+from datetime import datetime
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stylit_ref.errors import InputError
+from stylit_ref.studio.engine.events import Event
+from stylit_ref.studio.engine.live import Live
+from stylit_ref.studio.engine.scene import Scene
+from stylit_ref.studio.painting.easel import Easel
+from stylit_ref.studio.server import protocol
+from stylit_ref.studio.server.beginning import Beginning
+from stylit_ref.studio.server.protocol import Paint, Wish, painting_bytes, said
+from stylit_ref.studio.server.telling import Telling
+from stylit_ref.studio.server.visitors import Visitor, Visitors
+from stylit_ref.studio.server.welcome import panels_of_scene, welcome
+
+Engine = Callable[[Scene, NDArray[np.uint8], Callable[[Event], None], int], Live]
+"""Begins one: of a scene, a painting, where events go, and a seed."""
+
+READERS_WAIT = 0.1
+"""Seconds between two paintings that readers are sent."""
+
+
+class Desk:
+    """All that pages share. It belongs to the event loop; threads hand things over to it.
+
+    Parameters
+    ----------
+    beginning : Beginning
+    engine : callable
+    panels : sequence of str
+        Parts of the page that this studio has.
+    """
+
+    def __init__(self, beginning: Beginning, engine: Engine, panels: Sequence[str]) -> None:
+        self._shelf, self._panels = beginning.shelf, panels
+        self._notes = list(beginning.notes)
+        self._loop = asyncio.get_running_loop()
+        self._visitors = Visitors()
+        self._telling = Telling(self._visitors)
+        saved = beginning.saved
+        self._easel = Easel(beginning.folder, saved, self.from_thread(self._tell_saved))
+        self._scene = beginning.scene
+        tell = self.from_thread(self._telling.pass_on)
+        self._live = engine(self._scene, saved.painting.copy(), tell, saved.setting.seed)
+        self._restore()
+        self._readers_are_due = False
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Height and width of the painting."""
+        return self._easel.size
+
+    def from_thread(self, call: Callable[[Any], None]) -> Callable[[Any], None]:
+        """What a thread may call, so that the event loop makes the call."""
+
+        def hand_over(argument: Any) -> None:
+            with suppress(RuntimeError):  # the loop has ended
+                self._loop.call_soon_threadsafe(call, argument)
+
+        return hand_over
+
+    def close(self) -> None:
+        """End the engine; return when all is saved."""
+        self._live.close()
+        self._easel.close()
+
+    def knows(self, visitor: Visitor) -> bool:
+        """Whether a page has said hello."""
+        return visitor in self._visitors
+
+    def join(self, visitor: Visitor) -> None:
+        """Welcome a page: it paints if no other does."""
+        self._visitors.join(visitor)
+        self._welcome(visitor)
+        self._telling.catch_up(visitor)
+
+    def leave(self, visitor: Visitor) -> None:
+        """Let a page go; what it has painted is saved."""
+        self._visitors.leave(visitor)
+        self._easel.save()
+
+    def paint(self, visitor: Visitor, paint: Paint) -> None:
+        """Take a stroke of the page that paints."""
+        if self._may_act(visitor):
+            self._easel.paint(paint.x, paint.y, paint.pixels, paint.serial)
+            self._live.paint(paint.x, paint.y, paint.pixels, paint.serial)
+            self._show_readers_soon()
+
+    async def grant(self, visitor: Visitor, wish: Wish) -> None:
+        """Do what a page asks for, or say why not."""
+        if isinstance(wish, protocol.TakeOver):
+            self._visitors.take_over(visitor)
+            self._welcome(visitor)
+        elif self._may_act(visitor):
+            try:
+                await self._do(wish)
+            except InputError as error:
+                visitor.outbox.say(said("problem", {"text": str(error)}))
+
+    def replace_painting(self, painting: NDArray[np.uint8], text: str) -> None:
+        """Take a painting that was made elsewhere, and tell all pages.
+
+        Parameters
+        ----------
+        painting : (H, W, 3) uint8
+            Of the painting's size.
+        text : str
+            Where it comes from, as a sentence.
+        """
+        try:
+            kept = self._easel.replace(painting)
+        except InputError as error:
+            self._problem(f"The painting stays as it is, since it cannot be kept: {error}")
+            return
+        self._live.replace_painting(self._easel.painting.copy(), self._easel.serial)
+        for visitor in self._visitors:
+            self._send_painting(visitor)
+        self._easel.save()
+        text = f"{text} The painting before it is kept as {kept}." if kept else text
+        self._visitors.say("notes", {"texts": [text]})
+
+    def watched(self, found: NDArray[np.uint8] | InputError, file: str) -> None:
+        """Take what a watched file has become, or tell why not.
+
+        Parameters
+        ----------
+        found : (H, W, 3) uint8 or InputError
+        file : str
+        """
+        if isinstance(found, InputError):
+            self._problem(f"{found}.")
+        else:
+            self.replace_painting(found, f"The painting is that of {file}.")
+
+    async def _do(self, wish: Wish) -> None:
+        setting, live = self._easel.setting, self._live
+        match wish:
+            case protocol.Rest(serial):
+                live.rest(serial)
+                self._easel.save()
+            case protocol.Finish():
+                live.finish()
+            case protocol.Step(operation):
+                live.step(operation)
+            case protocol.Look(what):
+                live.look(what)
+            case protocol.Export():
+                live.export(self._easel.folder.exports)
+            case protocol.ChooseScene(name):
+                await self._open(name, setting.layers.get(name, ()))
+            case protocol.Layers(names):
+                await self._open(setting.scene, names)
+            case protocol.Turn(step, restylize):
+                if step >= self._scene.steps:
+                    raise InputError(f"the scene has {self._scene.steps} steps, from 0")
+                live.turn(step, warm=True, restylize=restylize)
+                self._set(step=step)
+            case protocol.SetSeed(value):
+                live.set_seed(value)
+                self._set(seed=value)
+            case protocol.SetParameters(values):
+                live.set_parameters(values)
+                self._set(parameters={**setting.parameters, **values})
+            case protocol.SetWeights(values):
+                live.set_weights(values)
+                self._set(weights={**setting.weights, **values})
+
+    async def _open(self, name: str, picked: Sequence[str]) -> None:
+        """Open a scene, or the same one with other layers."""
+        scene = await asyncio.to_thread(self._shelf.open, name, picked)
+        self._live.choose_scene(scene)
+        self._scene = scene
+        layers = self._easel.setting.layers
+        self._set(scene=name, step=0, weights={}, layers={**layers, name: list(picked)})
+        told = panels_of_scene(self._shelf.offer(name), self._easel.setting)
+        self._visitors.say("scene", told)
+
+    def _set(self, **changes: Any) -> None:
+        """Change the setting; readers are told all."""
+        self._easel.set(replace(self._easel.setting, **changes))
+        self._easel.save()
+        for reader in self._visitors.readers:
+            self._welcome(reader)
+
+    def _restore(self) -> None:
+        """Bring back what was set; what a later version does not know is left out and told."""
+        setting = self._easel.setting
+        for name, restore, values in (
+            ("parameters", self._live.set_parameters, setting.parameters),
+            ("weights", self._live.set_weights, setting.weights),
+        ):
+            try:
+                if values:
+                    restore(values)
+            except InputError as error:
+                self._notes.append(f"The {name} of last time are left out: {error}.")
+                self._easel.set(replace(self._easel.setting, **{name: {}}))
+        if setting.step:
+            self._live.turn(setting.step, warm=False)
+
+    def _welcome(self, visitor: Visitor) -> None:
+        """Send a page all that it shows, its painting included."""
+        role, panels, notes = self._visitors.role(visitor), self._panels, self._notes
+        told = welcome(self._easel, self._shelf, self._scene, role, panels, notes)
+        visitor.outbox.say(said("welcome", told))
+        visitor.outbox.show("beginning", painting_bytes(self._easel.beginning, 0))
+        if self._easel.serial:
+            self._send_painting(visitor)
+
+    def _send_painting(self, visitor: Visitor) -> None:
+        visitor.outbox.show("painting", painting_bytes(self._easel.painting, self._easel.serial))
+
+    def _may_act(self, visitor: Visitor) -> bool:
+        """Whether a page paints; one that does not is told so."""
+        may = visitor is self._visitors.painter
+        if not may:
+            text = "This page looks on. Take over to paint here."
+            visitor.outbox.say(said("problem", {"text": text}))
+        return may
+
+    def _show_readers_soon(self) -> None:
+        if self._visitors.readers and not self._readers_are_due:
+            self._readers_are_due = True
+            self._loop.call_later(READERS_WAIT, self._show_readers)
+
+    def _show_readers(self) -> None:
+        self._readers_are_due = False
+        for reader in self._visitors.readers:
+            self._send_painting(reader)
+
+    def _problem(self, text: str) -> None:
+        """Tell all pages what went wrong."""
+        self._visitors.say("problem", {"text": text})
+
+    def _tell_saved(self, error: InputError | None) -> None:
+        if error:
+            self._problem(f"The painting is not saved: {error}")
+        else:
+            text = f"Saved in {self._easel.folder.folder} at {datetime.now():%H:%M:%S}."
+            self._visitors.say("saved", {"text": text})

@@ -1,0 +1,275 @@
+"""What page and server say to each other through the socket, version 1.
+
+Paint and pictures travel as bytes, little-endian: a header and rows of RGB. All else is JSON.
+"""
+
+import json
+import struct
+from collections.abc import Mapping
+from dataclasses import dataclass, fields
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+VERSION = 1
+
+LARGEST_SIDE = 4096
+"""Pixels along a side of a painting."""
+
+LARGEST_MESSAGE = 64 * 2**20
+"""Bytes: a whole painting of the largest size fits."""
+
+LARGEST_TEXT = 64 * 2**10
+"""Characters of a message that is no paint."""
+
+LARGEST_SERIAL = 2**32 - 1
+
+PICTURES = "replay", "coherent", "warm", "fast", "full", "step", "look"
+"""Kinds of pictures, by the number that stands for each."""
+
+_PAINT = struct.Struct("<BBHHHHI")
+_IMAGE = struct.Struct("<BBHHHIf")
+_PAINT_KIND, _PICTURE_KIND, _PAINTING_KIND = 1, 1, 2
+
+
+class ProtocolError(Exception):
+    """A message that this page cannot have sent.
+
+    Parameters
+    ----------
+    sentence : str
+    code : int
+        That the socket is closed with (RFC 6455, 7.4.1).
+    """
+
+    def __init__(self, sentence: str, code: int = 1007) -> None:
+        super().__init__(sentence)
+        self.code: int = code
+
+
+@dataclass(frozen=True, eq=False)
+class Paint:
+    """A rectangle of the painting.
+
+    Attributes
+    ----------
+    x, y : int
+        Its upper left corner.
+    pixels : (h, w, 3) uint8
+    serial : int
+        What the page has counted up to; it comes back with the picture that shows the paint.
+    """
+
+    x: int
+    y: int
+    pixels: NDArray[np.uint8]
+    serial: int
+
+
+@dataclass(frozen=True)
+class Hello:
+    """The page's first words."""
+
+    version: int
+
+
+@dataclass(frozen=True)
+class Rest:
+    """The brush pauses."""
+
+    serial: int
+
+
+@dataclass(frozen=True)
+class Finish:
+    """Stylize by the full method."""
+
+
+@dataclass(frozen=True)
+class ChooseScene:
+    """Another target."""
+
+    name: str
+
+
+@dataclass(frozen=True)
+class Turn:
+    """Another step of a turntable; without ``restylize`` the last matches are moved only."""
+
+    step: int
+    restylize: bool
+
+
+@dataclass(frozen=True)
+class SetParameters:
+    """Other parameters, by name."""
+
+    values: Mapping[str, Any]
+
+
+@dataclass(frozen=True)
+class SetWeights:
+    """Other weights, by buffer."""
+
+    values: Mapping[str, Any]
+
+
+@dataclass(frozen=True)
+class SetSeed:
+    """Another seed."""
+
+    value: int
+
+
+@dataclass(frozen=True)
+class Step:
+    """A single operation."""
+
+    operation: str
+
+
+@dataclass(frozen=True)
+class Look:
+    """Show a buffer, a level, matches or their use."""
+
+    what: str
+
+
+@dataclass(frozen=True)
+class Export:
+    """Write what is shown."""
+
+
+@dataclass(frozen=True)
+class TakeOver:
+    """Paint on the page that asks."""
+
+
+@dataclass(frozen=True)
+class Layers:
+    """Which layers of a file are guides."""
+
+    names: list[str]
+
+
+Wish = (
+    Hello | Rest | Finish | ChooseScene | Turn | SetParameters | SetWeights | SetSeed | Step | Look
+    | Export | TakeOver | Layers
+)  # fmt: skip
+
+WISHES: Mapping[str, type[Wish]] = {
+    "hello": Hello, "rest": Rest, "finish": Finish, "scene": ChooseScene, "turn": Turn,
+    "parameters": SetParameters, "weights": SetWeights, "seed": SetSeed, "step": Step,
+    "look": Look, "export": Export, "take_over": TakeOver, "layers": Layers,
+}  # fmt: skip
+"""What a page can ask for, by the word for it; fields are those of the message."""
+
+
+def parse_paint(message: bytes, size: tuple[int, int]) -> Paint:
+    """Read a binary message.
+
+    Parameters
+    ----------
+    message : bytes
+    size : tuple of int
+        Height and width of the painting.
+
+    Raises
+    ------
+    ProtocolError
+        If it is no rectangle within the painting.
+    """
+    if len(message) > LARGEST_MESSAGE:
+        raise ProtocolError("A message has more than 64 MB.", 1009)
+    if len(message) < _PAINT.size:
+        raise ProtocolError("A binary message is shorter than its header.")
+    kind, zero, x, y, w, h, serial = _PAINT.unpack_from(message)
+    if kind != _PAINT_KIND or zero:
+        raise ProtocolError("A binary message is not of the one kind that there is.")
+    if len(message) != _PAINT.size + 3 * w * h:
+        raise ProtocolError("A rectangle of paint has other than its number of pixels.")
+    height, width = size
+    if not (0 < w <= width - x and 0 < h <= height - y):
+        raise ProtocolError("A rectangle of paint lies outside the painting.")
+    pixels = np.frombuffer(message, np.uint8, offset=_PAINT.size).reshape(h, w, 3)
+    return Paint(x, y, pixels, serial)
+
+
+def parse_wish(message: str) -> Wish:
+    """Read a text message.
+
+    Raises
+    ------
+    ProtocolError
+        If it is no JSON, or not what a page can ask for.
+    """
+    if len(message) > LARGEST_TEXT:
+        raise ProtocolError("A text message has more than 64 KB.", 1009)
+    try:
+        said = json.loads(message, parse_constant=_refuse_constant)
+    except (ValueError, RecursionError):
+        raise ProtocolError("A text message is not JSON.") from None
+    word = said.pop("do", None) if isinstance(said, dict) else None
+    if not isinstance(word, str):
+        raise ProtocolError('A text message does not say what to "do".')
+    if word not in WISHES:
+        raise ProtocolError(f"There is no {word[:40]!r} to do.")
+    wanted = fields(WISHES[word])
+    if said.keys() != {field.name for field in wanted}:
+        names = ", ".join(field.name for field in wanted) or "no fields"
+        raise ProtocolError(f"A message {word!r} has other fields than it must: {names}.")
+    for field in wanted:
+        if not _fits(said[field.name], field.type):
+            raise ProtocolError(f"The field {field.name} of {word!r} has a wrong value.")
+    return WISHES[word](**said)
+
+
+def _fits(value: object, kind: object) -> bool:
+    if kind is int:
+        is_number = isinstance(value, int) and not isinstance(value, bool)
+        return is_number and 0 <= value <= LARGEST_SERIAL
+    if kind in (str, bool):
+        return isinstance(value, kind)
+    if kind == list[str]:
+        return isinstance(value, list) and all(isinstance(each, str) for each in value)
+    return isinstance(value, dict)
+
+
+def _refuse_constant(name):
+    raise ValueError(f"{name} is not JSON")
+
+
+def said(word: str, values: Mapping[str, Any] | None = None) -> str:
+    """A text message of the server: a word, and what belongs to it.
+
+    It is ASCII, so that whatever a page or a file has put into a text can be sent.
+    """
+    return json.dumps({"say": word, **(values or {})}, separators=(",", ":"), allow_nan=False)
+
+
+def picture_bytes(which: str, image: NDArray[np.uint8], serial: int, milliseconds: float) -> bytes:
+    """A picture for the page.
+
+    Parameters
+    ----------
+    which : str
+        One of :data:`PICTURES`.
+    image : (h, w, 3) uint8
+    serial : int
+        That of the last paint in it.
+    milliseconds : float
+        How long it took.
+    """
+    return _image_bytes(_PICTURE_KIND, PICTURES.index(which), image, serial, milliseconds)
+
+
+def painting_bytes(painting: NDArray[np.uint8], serial: int) -> bytes:
+    """The painting, (h, w, 3) uint8, for the page."""
+    return _image_bytes(_PAINTING_KIND, 0, painting, serial, 0.0)
+
+
+def _image_bytes(kind, which, image, serial, milliseconds):
+    height, width = image.shape[:2]
+    head = _IMAGE.pack(kind, which, width, height, 0, serial, milliseconds)
+    return head + np.ascontiguousarray(image).tobytes()

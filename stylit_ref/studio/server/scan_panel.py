@@ -1,0 +1,73 @@
+"""A sheet to print and paint on, and what a scan or photograph of it shows."""
+
+from typing import Any
+
+from starlette.exceptions import HTTPException
+from starlette.requests import Request
+from starlette.responses import JSONResponse, Response
+from starlette.routing import Route
+
+from stylit_ref.errors import InputError
+from stylit_ref.studio.scene_files.offer import Offer
+from stylit_ref.studio.server.body import json_body, points
+from stylit_ref.studio.server.in_thread import in_thread
+from stylit_ref.studio.server.panel import Panel
+from stylit_ref.studio.sheet.photograph import read_photograph
+from stylit_ref.studio.sheet.print_sheet import print_sheet
+from stylit_ref.studio.sheet.register import Registered, register, register_corners
+
+_TAKEN = "The painting is that of the scan."
+
+
+def scan_panel(offer: Offer) -> Panel:
+    """``/sheet.pdf``, ``/scan`` and ``/scan/corners``.
+
+    Parameters
+    ----------
+    offer : Offer
+        Whose source is printed.
+    """
+    size = offer.size[::-1]
+    last: list[bytes] = []  # what was sent last
+
+    async def sheet(request: Request) -> Response:
+        content = await in_thread(lambda: print_sheet(offer.rendering(), offer.things()))
+        return Response(content, media_type="application/pdf")
+
+    async def scan(request: Request) -> Response:
+        last[:] = [await request.body()]
+        photograph = await in_thread(lambda: read_photograph(last[0]))
+        height, width = photograph.shape[:2]
+        told: dict[str, Any] = {"width": width, "height": height, "corners": None}
+
+        def look() -> Registered | InputError:
+            try:
+                return register(photograph, size)
+            except InputError as error:
+                return error
+
+        found = await in_thread(look)
+        if isinstance(found, InputError):
+            return JSONResponse({**told, "text": f"{found}."})
+        request.app.state.desk.replace_painting(found.painting, _TAKEN)
+        return JSONResponse({**told, "text": _TAKEN, "corners": found.corners.tolist()})
+
+    async def scan_corners(request: Request) -> Response:
+        corners = points(await json_body(request), "corners", 4)
+        if not last:
+            raise HTTPException(404, "Send a photograph first.")
+        content = last[0]
+        painting = await in_thread(
+            lambda: register_corners(read_photograph(content), corners, size)
+        )
+        request.app.state.desk.replace_painting(painting, _TAKEN)
+        return JSONResponse({"text": _TAKEN})
+
+    return Panel(
+        "scan",
+        [
+            Route("/sheet.pdf", sheet),
+            Route("/scan", scan, methods=["POST"]),
+            Route("/scan/corners", scan_corners, methods=["POST"]),
+        ],
+    )

@@ -1,0 +1,65 @@
+"""What the engine tells, as messages for the pages."""
+
+from dataclasses import asdict
+
+from stylit_ref.studio.engine.events import (
+    Compiling,
+    Event,
+    Exported,
+    Picture,
+    Problem,
+    Stepped,
+    Working,
+)
+from stylit_ref.studio.server.protocol import picture_bytes, said
+from stylit_ref.studio.server.visitors import Visitor, Visitors
+
+_WORDS = {
+    Working: "working", Compiling: "compiling", Problem: "problem", Stepped: "stepped",
+    Exported: "exported",
+}  # fmt: skip
+
+_ASKED_FOR = "look", "step"
+"""Pictures for the painter alone."""
+
+
+class Telling:
+    """Passes events on, and tells a page that comes later the last of them.
+
+    Parameters
+    ----------
+    visitors : Visitors
+    """
+
+    def __init__(self, visitors: Visitors) -> None:
+        self._visitors = visitors
+        self._last: dict[str, bytes] = {}
+        self._compiling: str | None = None
+
+    def pass_on(self, event: Event) -> None:
+        """Send an event to whom it may concern."""
+        if isinstance(event, Picture):
+            self._show(event)
+            return
+        text = said(_WORDS[type(event)], asdict(event))
+        if isinstance(event, Compiling):
+            self._compiling = text if event.done < event.total else None
+        for visitor in self._visitors:
+            visitor.outbox.say(text)
+
+    def catch_up(self, visitor: Visitor) -> None:
+        """Send a page what it has missed."""
+        if self._compiling:
+            visitor.outbox.say(self._compiling)
+        for kind, picture in self._last.items():
+            visitor.outbox.show(kind, picture)
+
+    def _show(self, event: Picture) -> None:
+        picture = picture_bytes(event.which, event.image, event.serial, event.milliseconds)
+        if event.which in _ASKED_FOR:
+            if self._visitors.painter:
+                self._visitors.painter.outbox.show(event.which, picture)
+            return
+        self._last = {"picture": picture}
+        for visitor in self._visitors:
+            visitor.outbox.show("picture", picture)
