@@ -1,8 +1,11 @@
-"""Small scenes of the stage, and of other buffers, and a painting."""
+"""Small scenes for the studio, a painting, and ears for what its engine tells."""
+
+from queue import Queue
 
 import numpy as np
 
 from stylit_ref.realtime.packing.stage import STAGE_BUFFERS
+from stylit_ref.studio.engine.events import Picture
 from stylit_ref.studio.engine.scene import Scene
 
 SIZE, TARGET_SIZE = (40, 36), (37, 41)
@@ -27,11 +30,39 @@ def make_buffers(size, phase):
     return buffers
 
 
-def make_scene(steps=1, title="A small stage"):
+def make_scene(steps=1, **changes):
+    """A stage in memory; ``changes`` replace buffers of the target."""
     source = make_buffers(SIZE, 0)
-    targets = [lambda step=step: make_buffers(TARGET_SIZE, 0.5 + step) for step in range(steps)]
-    return Scene("small", title, source, targets)
+    targets = [
+        lambda step=step: make_buffers(TARGET_SIZE, 0.5 + step) | changes for step in range(steps)
+    ]
+    return Scene("small", "A small stage", source, targets)
 
 
 def make_painting(seed=0):
     return np.random.default_rng(seed).integers(0, 256, (*SIZE, 3), np.uint8)
+
+
+class Ears:
+    """What an engine tells, to be waited for; call it with events."""
+
+    def __init__(self):
+        self._events = Queue()
+
+    def __call__(self, event):
+        self._events.put(event)
+
+    def next(self, kind=object, **facts):
+        """The next event of a kind with such attributes; those before it are forgotten."""
+        while True:
+            event = self._events.get(timeout=60)
+            if isinstance(event, kind) and facts.items() <= vars(event).items():
+                return event
+
+    def picture(self, which):
+        """The next picture of a kind."""
+        return self.next(Picture, which=which)
+
+    def all(self):
+        """What was told since, without waiting."""
+        return [self._events.get() for _ in range(self._events.qsize())]
