@@ -180,7 +180,7 @@ class Desk:
         self._live.choose_scene(scene)
         self._scene = scene
         layers = self._easel.setting.layers
-        self._set(scene=name, step=0, weights={}, layers={**layers, name: list(picked)})
+        self._set(scene=name, step=0, layers={**layers, name: list(picked)})
         told = panels_of_scene(self._shelf.offer(name), self._easel.setting)
         self._visitors.say("scene", told)
 
@@ -193,10 +193,11 @@ class Desk:
 
     def _restore(self) -> None:
         """Bring back what was set; what a later version does not know is left out and told."""
-        setting = self._easel.setting
+        setting, known = self._easel.setting, self._scene.buffers
+        weights = {name: weight for name, weight in setting.weights.items() if name in known}
         for name, restore, values in (
             ("parameters", self._live.set_parameters, setting.parameters),
-            ("weights", self._live.set_weights, setting.weights),
+            ("weights", self._live.set_weights, weights),
         ):
             try:
                 if values:
