@@ -41,8 +41,8 @@ scenes: report-scenes ## show all scenes, and every target in every style
 data: $(VENV)/render.installed ## render scenes and styles: SIZE=1200x912, SCENES=teapot,house
 	$(BIN)/python -m data_gen --size "$(SIZE)" $(if $(SCENES),--scenes "$(SCENES)") $(ARGS)
 
-turntable: $(VENV)/render.installed ## render the scene that the studio opens with; an hour
-	$(BIN)/python -m data_gen --size 500x500 --scenes turntable --samples 256 --guides-only --folder build/turntable
+turntable: $(VENV)/render.installed ## render the scene that the studio opens with; 5 minutes
+	$(BIN)/python -m data_gen --size 500x500 --scenes turntable --guides-only --folder build/turntable
 	$(BIN)/python -m data_gen.turntable build/turntable
 
 blender: .venv-blender/bpy.installed $(VENV)/eval.installed ## render a shot in Blender, check its vectors, and stylize it; needs Python 3.11 and 1.2 GB

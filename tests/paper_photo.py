@@ -39,16 +39,16 @@ def with_painting(page, painting):
     """A page, as a grey image, with something painted over its picture."""
     page = page.convert("RGB")
     layout = layout_of(*painting.shape[1::-1])
-    page.paste(Image.fromarray(painting).resize(layout), place_of(page, layout))
+    page.paste(Image.fromarray(painting).resize(layout), tuple(place_of(page, layout)))
     return page
 
 
 def place_of(page, layout):
     """The upper left corner of the picture on a page."""
-    return (page.width - layout.width) // 2, (page.height - layout.height) // 2
+    return np.array([page.width - layout.width, page.height - layout.height]) // 2
 
 
-def photographed(page, *, seed, longest=1000, turns=0, light=True, zoom=1.0, aside=(0.0, 0.0)):
+def photographed(page, *, seed, longest=640, turns=0, light=True, zoom=1.0, aside=(0.0, 0.0)):
     """Photograph a page on a table.
 
     Parameters

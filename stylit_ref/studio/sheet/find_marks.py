@@ -14,10 +14,13 @@ from scipy.ndimage import (
 )
 
 from stylit_ref.studio.sheet.layout import CODES
-from stylit_ref.studio.sheet.perspective import homography, through
+from stylit_ref.studio.sheet.perspective import homography, least_turn, through
 
 _SMALLEST = 12
 """Least side of a mark in pixels: two for each of its cells."""
+
+_LEAST_TURN = 0.25
+"""Of its area, what the sides of a mark span at each corner: in a square it is all."""
 
 _WRONG_CELLS = 2
 """So many may be misread: two codes differ in at least six."""
@@ -74,7 +77,8 @@ def _quadrilateral(blob):
     aside = (points - first) @ (-dy, dx)
     corners = np.array([first, points[aside.argmin()], opposite, points[aside.argmax()]])
     corners += 0.5 * np.sign(corners - corners.mean(axis=0))  # to the outside of the pixels
-    return corners if 0.85 < _area(corners) / area < 1.2 else None
+    is_square = 0.85 < _area(corners) / area < 1.2 and least_turn(corners) > _LEAST_TURN * area
+    return corners if is_square else None
 
 
 def _named(grey, outline):

@@ -13,8 +13,11 @@ from stylit_ref.studio.sheet.perspective import homography, through
 _ALONG = np.linspace(0.06, 0.94, 24)
 """Where on a side of a mark its edge is looked for."""
 
-_REACHES = 0.45 * CELL, 0.2 * CELL
+_FAR, _NEAR = 0.45 * CELL, 0.2 * CELL
 """How far from where it is expected, in dots: the frame of a mark is a cell thick."""
+
+_LEAST_STEPS = 4
+"""Half pixels to each side of an edge, however small the marks are."""
 
 _FAINT = 0.35
 """An edge below this share of the usual steepness is covered by something."""
@@ -40,7 +43,8 @@ def fit_sheet(
 ) -> Fit:
     """Fit all four marks, of which three or four were found.
 
-    What is visible of a mark counts, also of the one that was not found: paint may cover a part.
+    What is visible of a mark counts in the end, also of the one that was not found: paint may cover
+    a part of it.
 
     Parameters
     ----------
@@ -56,8 +60,11 @@ def fit_sheet(
     corners = np.concatenate([layout.marks[number] for number in found])
     matrix = homography(corners, np.concatenate(list(found.values())))
     error = np.inf
-    for reach in _REACHES:
-        edges = _edges(grey, matrix, layout, reach)
+    for marks, reach in ((layout.marks[list(found)], _FAR), (layout.marks, _NEAR)):
+        scale = _scale(matrix, layout)
+        if not scale > 0:
+            return Fit(matrix, np.inf)
+        edges = _edges(grey, matrix, marks, reach, 1 / scale)
         if len(edges.places) < 8 * len(_ALONG):
             return Fit(matrix, np.inf)
         matrix, error = _fitted(edges, matrix)
@@ -72,15 +79,15 @@ class _Edges(NamedTuple):
     offsets: NDArray[np.float64]
 
 
-def _edges(grey, matrix, layout, reach):
-    start = layout.marks.reshape(-1, 2)
-    end = np.roll(layout.marks, -1, axis=1).reshape(-1, 2)
+def _edges(grey, matrix, marks, reach, pixel):
+    start = marks.reshape(-1, 2)
+    end = np.roll(marks, -1, axis=1).reshape(-1, 2)
     along = (end - start) / np.linalg.norm(end - start, axis=1, keepdims=True)
     outward = np.stack([along[:, 1], -along[:, 0]], axis=1)
     on_side = start[:, None] + _ALONG[:, None] * (end - start)[:, None]
     normal = np.broadcast_to(outward[:, None], on_side.shape)
-    pixel = 1 / max(_scale(matrix, layout), 1e-9)  # in dots
-    steps = np.arange(-reach, reach + pixel / 2, pixel / 2)
+    most = max(_LEAST_STEPS, int(2 * reach / pixel))
+    steps = np.arange(-most, most + 1) * pixel / 2
     across = on_side[..., None, :] + steps[:, None] * normal[..., None, :]
     seen = through(matrix, across) - 0.5
     values = map_coordinates(grey, (seen[..., 1], seen[..., 0]), order=1, mode="nearest")
@@ -117,7 +124,10 @@ def _fitted(edges, matrix):
 
 
 def _scale(matrix, layout):
-    """Pixels of a dot, on the average."""
-    corners = through(matrix, layout.corners)
-    x, y = corners.T
-    return np.sqrt(abs(x @ np.roll(y, -1) - y @ np.roll(x, -1)) / 2 / layout.width / layout.height)
+    """Pixels of a dot, on the average; 0 or less if the picture is not seen from above."""
+    corners = np.append(layout.corners, np.ones((4, 1)), axis=1) @ matrix.T
+    if (corners[:, 2] <= 0).any():
+        return 0.0
+    x, y = (corners[:, :2] / corners[:, 2:]).T
+    area = (x @ np.roll(y, -1) - y @ np.roll(x, -1)) / 2
+    return np.sqrt(max(area, 0) / layout.width / layout.height)

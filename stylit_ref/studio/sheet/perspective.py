@@ -39,6 +39,16 @@ def through(matrix: NDArray[np.float64], points: NDArray[np.float64]) -> NDArray
     return taken[..., :2] / taken[..., 2:]
 
 
+def least_turn(corners: NDArray[np.float64]) -> float:
+    """The least of the four parallelograms that sides of a quadrilateral span.
+
+    It is positive where the corners (4, 2) go clockwise around something convex, and the area of a
+    rectangle.
+    """
+    x, y = (np.roll(corners, -1, axis=0) - corners).T
+    return float((x * np.roll(y, -1) - y * np.roll(x, -1)).min())
+
+
 def drawn_through(
     photograph: Image.Image, matrix: NDArray[np.float64], size: tuple[int, int]
 ) -> NDArray[np.uint8]:

@@ -12,7 +12,7 @@ from stylit_ref.studio.sheet.find_marks import find_marks
 from stylit_ref.studio.sheet.fit import fit_sheet
 from stylit_ref.studio.sheet.layout import NAMES, layout_of
 from stylit_ref.studio.sheet.paper_white import evened, paper_places
-from stylit_ref.studio.sheet.perspective import drawn_through, homography, through
+from stylit_ref.studio.sheet.perspective import drawn_through, homography, least_turn, through
 
 _LONGEST = 1600
 """Pixels within which marks are looked for; larger photographs are shrunk."""
@@ -25,6 +25,9 @@ _PAPER_STEP = 16
 
 _LEAST_SEEN = 0.6
 """Of the places on the paper; from fewer the light on the picture would be a guess."""
+
+_LEAST_TURN = 16
+"""Square pixels that the sides of a picture span at each corner."""
 
 _FEW = "none", "one", "two"
 
@@ -147,11 +150,9 @@ def _check_in_view(matrix, found, layout, shape):
 def _check_corners(corners, shape):
     if corners.shape != (4, 2) or not np.isfinite(corners).all():
         raise InputError("must be four points, each x and y", parameter="corners")
-    sides = np.roll(corners, -1, axis=0) - corners
-    turns = sides[:, 0] * np.roll(sides[:, 1], -1) - sides[:, 1] * np.roll(sides[:, 0], -1)
     height, width = shape[:2]
     within = ((corners >= (-width, -height)) & (corners <= (2 * width, 2 * height))).all()
-    if not within or turns.min() < 16:
+    if not within or least_turn(corners) < _LEAST_TURN:
         raise InputError(
             "must go around the picture: upper left, upper right, lower right, lower left",
             parameter="corners",

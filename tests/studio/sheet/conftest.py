@@ -37,5 +37,5 @@ def painting():
 
 @pytest.fixture(scope="session")
 def painted(sheet, painting):
-    """The page with the painting, at 150 dpi, which is enough for small photographs."""
+    """The page with the painting."""
     return with_painting(sheet, painting)

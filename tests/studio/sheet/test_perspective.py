@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from stylit_ref.studio.sheet.perspective import drawn_through, homography, through
+from stylit_ref.studio.sheet.perspective import drawn_through, homography, least_turn, through
 
 SQUARE = np.array([(0, 0), (1, 0), (1, 1), (0, 1)], float)
 OUTLINE = np.array([(310, 120), (1420, 200), (1350, 1180), (250, 1010)], float)
@@ -18,6 +18,15 @@ def test_more_points_agree_on_one():
     matrix = homography(SQUARE, OUTLINE)
     points = np.random.default_rng(0).uniform(-1, 2, (30, 2))
     assert np.allclose(homography(points, through(matrix, points)), matrix)
+
+
+@pytest.mark.parametrize(
+    ("order", "turn"),
+    [([0, 1, 2, 3], 1), ([0, 3, 2, 1], -1), ([0, 2, 1, 3], -1), ([0, 1, 2, 2], 0)],
+    ids=["clockwise", "mirrored", "crossed", "triangle"],
+)
+def test_only_corners_that_go_around_turn_the_same_way(order, turn):
+    assert least_turn(SQUARE[order]) == turn
 
 
 @pytest.mark.parametrize("shrink", [1, 2, 3, 7])

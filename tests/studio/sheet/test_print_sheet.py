@@ -53,7 +53,7 @@ def test_no_mark_is_taken_for_another_one_nor_for_itself_turned():
 def test_marks_are_black_and_white_and_the_picture_is_pale(sheet, rendering):
     layout, page = layout_of(500, 500), np.asarray(sheet)
     x, y = place_of(sheet, layout)
-    for mark in (layout.marks + np.array([x, y])).astype(int):
+    for mark in (layout.marks + place_of(sheet, layout)).astype(int):
         square = page[mark[0, 1] : mark[2, 1], mark[0, 0] : mark[2, 0]]
         assert square.shape == (MARK, MARK)
         assert set(np.unique(square)) == {0, 255}
