@@ -113,7 +113,7 @@ def test_a_source_without_a_target_is_refused(served, capsys):
 @pytest.mark.parametrize("package", ["starlette", "uvicorn", "websockets"])
 def test_a_missing_package_names_the_extra(tmp_path, monkeypatch, capsys, hidden, package):
     monkeypatch.chdir(tmp_path)
-    _forget(monkeypatch, "stylit_ref.studio.server", "stylit_ref.cli.studio_server")
+    _forget(monkeypatch, "stylit_ref.studio.server", "stylit_ref.cli.studio_server", "uvicorn")
     hidden(package)
     message = refused(capsys, studio())
     assert package in message
