@@ -113,8 +113,7 @@ def _answer(job, guides, connection, wanted):
         if wanted.value != job.number or not parent_process().is_alive():
             raise _UnwantedError
 
-    def compiling(number, total):
-        heed()
+    def compiling(number, total):  # what is compiled serves any other job too
         connection.send(Kernels(number, total))
 
     def progress(step):

@@ -63,7 +63,7 @@ class Compiling:
     ----------
     text : str
     done, total : int
-        Kernels; they are equal when all are there.
+        Kernels; they are equal when no more is compiled.
     """
 
     text: str

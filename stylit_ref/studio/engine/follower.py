@@ -29,6 +29,14 @@ class _State(NamedTuple):
     """Changes of the painting until then."""
 
 
+class _Ready(NamedTuple):
+    """A session, and what it holds."""
+
+    state: _State
+    packed: PackedScene
+    session: Session
+
+
 class _Last(NamedTuple):
     """The last picture."""
 
@@ -63,6 +71,12 @@ class Follower:
         Of the last change of the painting.
     """
 
+    scene: Scene
+    settings: Settings
+    step: int
+    painting: NDArray[np.uint8]
+    serial: int
+
     def __init__(
         self,
         scene: Scene,
@@ -74,9 +88,7 @@ class Follower:
         self.painting, self.serial = painting, 0
         self._threads = threads
         self._changes = 0  # of the painting
-        self._packed: PackedScene | None = None
-        self._session: Session | None = None
-        self._ready: _State | None = None  # what the session holds
+        self._ready: _Ready | None = None
         self._searched: _State | None = None  # what its NNF was searched for
         self._last: _Last | None = None
 
@@ -116,30 +128,29 @@ class Follower:
             If the scene cannot be stylized so; the session is then as it was.
         """
         state, ready = self._state, self._ready
-        if ready == state:
+        if ready and ready.state == state:
             return
         live = state.settings.live
-        if self._session is None or ready is None or (
-            (ready.scene, ready.settings.live) != (state.scene, live)
-        ):  # fmt: skip
+        if ready is None or (ready.state.scene, ready.state.settings.live) != (state.scene, live):
             packed = pack_scene(state.scene, state.step, live)
             compile_missing(kernels_of_frame(live, packed.packing, warm=True), compiling)
-            self._packed, self._session = packed, self._session_of(packed)
-        else:
-            if ready.step != state.step:
-                packed = pack_scene(state.scene, state.step, live, self._packed.packing)
-                self._session.set_target(packed.target, packed.target_labels)
-                self._packed = packed
-            if ready.settings != state.settings:
-                self._session.set_weights(self._packed.weights(state.settings, state.scene))
-            if ready.paintings != state.paintings:
-                self._session.set_style(self.painting)
-        self._ready = state
+            self._ready = _Ready(state, packed, self._session_of(packed))
+            return
+        before, packed, session = ready
+        if before.step != state.step:
+            packed = pack_scene(state.scene, state.step, live, packed.packing)
+            session.set_target(packed.target, packed.target_labels)
+        if before.settings != state.settings:
+            session.set_weights(packed.weights(state.settings, state.scene))
+        if before.paintings != state.paintings:
+            session.set_style(self.painting)
+        self._ready = _Ready(state, packed, session)
 
     def replay(self) -> NDArray[np.uint8]:
         """The last frame with the painting as it is; only if :attr:`can_replay`."""
-        image = self._session.replay()
-        self._keep("replay", image)
+        ready = self._needs_ready()
+        image = ready.session.replay()
+        self._keep("replay", image, ready)
         return image
 
     def frame(self, *, warm: bool) -> tuple[Which, NDArray[np.uint8]]:
@@ -152,24 +163,25 @@ class Follower:
         FrameCancelledError
             If it was cancelled.
         """
-        state, searched = self._state, self._searched
+        ready, searched = self._needs_ready(), self._searched
+        state = ready.state
         is_warm = (
             warm
             and searched is not None
-            and self._session.has_frame
+            and ready.session.has_frame
             and searched._replace(step=state.step) == state
         )
-        image = self._session.frame(warm=is_warm, seed=state.settings.seed)
+        image = ready.session.frame(warm=is_warm, seed=state.settings.seed)
         self._searched = state
         which: Which = "warm" if is_warm else "coherent"
-        self._keep(which, image)
+        self._keep(which, image, ready)
         return which, image
 
     def cancel(self) -> None:
         """End a frame that another thread computes."""
-        session = self._session
-        if session:
-            session.cancel()
+        ready = self._ready
+        if ready:
+            ready.session.cancel()
 
     def level_picture(self, level: int) -> NDArray[np.uint8]:
         """B' of a level of the last frame.
@@ -226,9 +238,9 @@ class Follower:
     def _state(self) -> _State:
         return _State(self.scene, self.step, self.settings.of_live, self._changes)
 
-    def _keep(self, which, image):
-        weighs = self._packed.weights(self.settings, self.scene) is not None
-        self._last = _Last(which, image, self._state, self._session, weighs)
+    def _keep(self, which, image, ready):
+        weighs = ready.packed.weights(self.settings, self.scene) is not None
+        self._last = _Last(which, image, ready.state, ready.session, weighs)
 
     def _session_of(self, packed):
         settings = self.settings
@@ -237,6 +249,11 @@ class Follower:
         session.set_target(packed.target, packed.target_labels)
         session.set_weights(packed.weights(settings, self.scene))
         return session
+
+    def _needs_ready(self):
+        if self._ready is None:
+            raise InputError("there is no session yet; prepare one first")
+        return self._ready
 
     def _needs_last(self):
         if self._last is None:

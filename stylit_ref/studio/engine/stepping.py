@@ -28,8 +28,8 @@ class Stepper:
 
     def __init__(self, make_session: Callable[[], Session]) -> None:
         self._make_session = make_session
-        self._steps: FrameSteps | None = None
         self._session: Session | None = None
+        self._steps: FrameSteps | None = None
 
     @property
     def state(self) -> Stepped:
