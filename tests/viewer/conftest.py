@@ -1,36 +1,21 @@
-"""Pages in Debian's Chromium. Where it or Playwright is missing, the tests say so and skip."""
+"""Pages of the viewer in a browser."""
 
-import shutil
 from contextlib import contextmanager
 
 import pytest
 from browser_page import BrowserPage
+from chromium_browser import chromium_browser
 from small_views import small_views
 
 from stylit_ref.viewer.contents import make_contents
 from stylit_ref.viewer.write_page import folder_texts, page_bytes, write_folder
 
-FLAGS = (
-    "--headless", "--no-sandbox", "--disable-gpu", "--use-angle=swiftshader",
-    "--enable-unsafe-swiftshader", "--disable-quic", "--no-first-run",
-    "--disable-background-networking", "--disable-component-update", "--disable-sync",
-)  # fmt: skip
-"""WebGL 2 without a graphics processor; and nothing that would reach for the network."""
-
 
 @pytest.fixture(scope="module")
 def chromium():
-    """A browser for the tests of a module: its event loop would be in the way of others."""
-    playwright = pytest.importorskip(
-        "playwright.sync_api", reason="pip install playwright, which the extra test has"
-    )
-    found = shutil.which("chromium") or shutil.which("chromium-browser")
-    if found is None:
-        pytest.skip("there is no Chromium; install it (Debian: apt install chromium)")
-    with playwright.sync_playwright() as driver:
-        browser = driver.chromium.launch(executable_path=found, args=list(FLAGS))
+    """A browser for the tests of a module."""
+    with chromium_browser() as browser:
         yield browser
-        browser.close()
 
 
 @contextmanager

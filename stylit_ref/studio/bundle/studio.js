@@ -7,11 +7,6 @@
     for (let from = 0, to = 0; to < pixels.length; from += 3, to++)
       pixels[to] = OPAQUE | rgb[from + 2] << 16 | rgb[from + 1] << 8 | rgb[from];
   }
-  function imageOf(width, height, rgb) {
-    const image = new ImageData(width, height);
-    fromRgb(rgb, new Uint32Array(image.data.buffer));
-    return image;
-  }
 
   // src/rect.ts
   function around(one, other) {
@@ -121,6 +116,7 @@
 
   // src/history.ts
   var MOST_BYTES = 256 * 1024 * 1024;
+  var MOST_STEPS = 200;
   var TILE_BYTES = 4 * TILE * TILE;
   var History = class {
     most;
@@ -144,7 +140,7 @@
       if (!before.size) return;
       this.redoable = [];
       this.undoable.push(before);
-      while (this.bytes > this.most) this.undoable.shift();
+      while (this.bytes > this.most || this.undoable.length > MOST_STEPS) this.undoable.shift();
     }
     /** Take the last change back; where the painting differs now, or null. */
     undo(painting) {
@@ -286,10 +282,10 @@
   }
   function make(name) {
     if (name === "smooth") return null;
-    if (name === "bristles") return { follows: "stroke", heights: levelled(hairs()) };
+    if (name === "bristles") return { follows: "stroke", fill: 1.6, heights: levelled(hairs()) };
     const height = { paper: paperAt, canvas: weaveAt, speckle: speckleAt }[name];
     const heights = Float32Array.from({ length: GRAIN * GRAIN }, (_, k) => height(k % GRAIN, Math.floor(k / GRAIN)));
-    return { follows: "ground", heights: levelled(heights) };
+    return { follows: "ground", fill: 3, heights: levelled(heights) };
   }
   var paperAt = (x, y) => 0.5 * noise(x, y, 2, 1) + 0.35 * noise(x, y, 4, 2) + 0.15 * noise(x, y, 1, 3);
   var speckleAt = (x, y) => noise(x, y, 1, 4) + 0.4 * noise(x, y, 8, 5);
@@ -323,7 +319,6 @@
   }
 
   // src/stroke.ts
-  var FILL = 3;
   var Stroke = class {
     painting;
     ink;
@@ -386,7 +381,7 @@
           if (grain) {
             const hair = (down * along - right * across + 1) * (HAIRS / 2);
             const place = grain.follows === "ground" ? y % GRAIN * GRAIN + x % GRAIN : Math.min(Math.max(Math.floor(hair), 0), HAIRS - 1);
-            paint = Math.min(255, Math.max(0, FILL * (paint + grain.heights[place] - 255)));
+            paint = Math.min(255, Math.max(0, grain.fill * (paint + grain.heights[place] - 255)));
           }
           if (paint <= covered[at]) continue;
           covered[at] = paint;
@@ -456,8 +451,10 @@
       this.path = new Path(brush, sample);
       this.add(this.path.begin(), time);
     }
-    move(sample, time) {
-      if (this.path) this.add(this.path.move(sample), time);
+    /** Go on to places, one after the other. */
+    move(samples, time) {
+      const { path } = this;
+      if (path) this.add(samples.flatMap((sample) => [...path.move(sample)]), time);
     }
     end(time) {
       if (!this.stroke || !this.path) return;
@@ -624,7 +621,7 @@
       },
       move(event) {
         if (picks) picker.pick(...placeOf(event));
-        else for (const each of coalesced(event)) artist.move(sample(each), event.timeStamp);
+        else artist.move(coalesced(event).map(sample), event.timeStamp);
       },
       end(event) {
         if (picks) picker.done();
@@ -698,9 +695,25 @@
       });
     };
   }
+  function atOnceAndPerFrame(step) {
+    let [isAsked, hasStepped] = [false, false];
+    const take = () => {
+      hasStepped = true;
+      requestAnimationFrame(() => {
+        hasStepped = false;
+        if (isAsked) take();
+      });
+      isAsked = false;
+      step();
+    };
+    return () => {
+      if (hasStepped) isAsked = true;
+      else take();
+    };
+  }
 
   // src/guides.ts
-  var HEAVIEST = 16;
+  var HEAVIEST = 8;
   var Guides = class {
     connection;
     unsent = {};
@@ -869,7 +882,7 @@
       const kept = (value, most) => Math.min(Math.max(value, 0), most - 1);
       this.place = [kept(x + right * step, width), kept(y + down * step, height)];
       this.tip.showAt(...this.place);
-      if (this.isDown) this.artist.move(this.sample, event.timeStamp);
+      if (this.isDown) this.artist.move([this.sample], event.timeStamp);
     }
     press() {
       if (!this.painting) return;
@@ -934,14 +947,35 @@
     }
   };
 
+  // src/screen.ts
+  var Screen = class {
+    canvas;
+    context;
+    image = new ImageData(1, 1);
+    constructor(canvas) {
+      this.canvas = canvas;
+      this.context = canvas.getContext("2d", { alpha: false });
+    }
+    show(width, height, rgb) {
+      if (this.image.width !== width || this.image.height !== height) {
+        this.image = new ImageData(width, height);
+        Object.assign(this.canvas, { width, height });
+      }
+      fromRgb(rgb, new Uint32Array(this.image.data.buffer));
+      this.context.putImageData(this.image, 0, 0);
+    }
+  };
+
   // src/looks.ts
   var isStill = (what) => what.startsWith("A:") || what.startsWith("B:");
   var Look = class {
     choice;
     canvas;
+    screen;
     constructor(side, chosen) {
       this.choice = byId(`${side}-look-choice`);
       this.canvas = byId(`${side}-look`);
+      this.screen = new Screen(this.canvas);
       const strength = byId(`${side}-look-strength`);
       this.choice.onchange = () => chosen(this);
       strength.oninput = () => this.canvas.style.opacity = String(strength.valueAsNumber / 100);
@@ -964,9 +998,12 @@
     hide() {
       this.canvas.hidden = true;
     }
+    leave() {
+      this.choice.value = "";
+      this.hide();
+    }
     draw({ width, height, rgb }) {
-      Object.assign(this.canvas, { width, height });
-      this.canvas.getContext("2d")?.putImageData(imageOf(width, height, rgb), 0, 0);
+      this.screen.show(width, height, rgb);
       this.canvas.hidden = false;
     }
   };
@@ -990,7 +1027,7 @@
       });
       picture.offer({
         "Guides of B": named("B"),
-        "What lies between": { nnf: "Nearest-neighbour field", ...Object.fromEntries(texts) }
+        "What lies between": { nnf: "Matches (NNF)", ...Object.fromEntries(texts) }
       });
       this.asked = null;
       this.waiting.clear();
@@ -1015,6 +1052,12 @@
       this.asked?.hide();
       this.asked = null;
       this.next();
+    }
+    /** A page that looks on cannot ask. */
+    leave() {
+      this.looks.forEach((look) => look.leave());
+      this.waiting.clear();
+      this.asked = null;
     }
     refresh(isMeant) {
       this.looks.filter(({ what }) => what && isMeant(what)).forEach((look) => this.want(look));
@@ -1090,27 +1133,48 @@
     return digits ? [0, 2, 4].map((k) => parseInt(digits.slice(k, k + 2), 16)) : null;
   }
 
+  // src/popup.ts
+  var Popup = class {
+    button;
+    panel;
+    open;
+    /** `open` shows or hides the panel. */
+    constructor(button, panel, open) {
+      this.button = button;
+      this.panel = panel;
+      this.open = open;
+      button.onclick = () => this.turn(!this.isOpen);
+      addEventListener("pointerdown", ({ target }) => {
+        if (this.isOpen && target instanceof Node && !panel.contains(target) && !button.contains(target)) this.turn(false);
+      });
+      addEventListener("keydown", (event) => {
+        if (event.key !== "Escape" || !this.isOpen) return;
+        const hadFocus = this.panel.contains(document.activeElement);
+        this.turn(false);
+        if (hadFocus) this.button.focus();
+      });
+    }
+    get isOpen() {
+      return this.button.ariaExpanded === "true";
+    }
+    turn(isOpen) {
+      this.button.ariaExpanded = String(isOpen);
+      this.open(isOpen);
+    }
+  };
+
   // src/palette.ts
   var PARTS = { hue: 360, saturation: 100, value: 100 };
   var Palette = class {
     settings;
     button = byId("colour");
-    panel = byId("palette");
     number = byId("colour-number");
     colour;
     constructor(settings) {
       this.settings = settings;
       this.colour = colourOf(settings.chosen.rgb);
-      this.button.onclick = () => this.open(this.panel.hidden === true);
-      addEventListener("pointerdown", ({ target }) => {
-        if (target instanceof Node && !this.panel.contains(target) && !this.button.contains(target)) this.open(false);
-      });
-      addEventListener("keydown", (event) => {
-        if (event.key !== "Escape" || this.panel.hidden) return;
-        const hadFocus = this.panel.contains(document.activeElement);
-        this.open(false);
-        if (hadFocus) this.button.focus();
-      });
+      const panel = byId("palette");
+      new Popup(this.button, panel, (isOpen) => panel.hidden = !isOpen);
       for (const part of Object.keys(PARTS)) {
         const slider = byId(part);
         slider.oninput = () => {
@@ -1124,10 +1188,6 @@
         else this.number.value = hexOf(settings.chosen.rgb);
       };
       settings.onChange(() => this.show());
-    }
-    open(isOpen) {
-      this.panel.hidden = !isOpen;
-      this.button.ariaExpanded = String(isOpen);
     }
     choose(rgb) {
       this.settings.choose({ rgb, usesTexture: false });
@@ -1160,6 +1220,14 @@
 
   // src/parameters.ts
   var LONGEST2 = 64;
+  var NAMES = {
+    patch_width: "patch width w",
+    spacing: "spacing r",
+    levels: "levels L",
+    mu: "style \u03BC",
+    depth: "depth D",
+    uniformity: "uniformity \u03BB"
+  };
   var Parameters = class {
     connection;
     changed;
@@ -1187,7 +1255,8 @@
       for (const each of ["live", "dense"]) byId(`${each}-fields`).disabled = each !== of;
     }
     row(field, value) {
-      const name = made2("span", { textContent: field.name.replaceAll("_", " "), title: field.help });
+      const textContent = NAMES[field.name] ?? field.name.replaceAll("_", " ");
+      const name = made2("span", { textContent, title: field.help });
       const set = (now) => {
         this.unsent[field.name] = now;
         this.changed(field.name, now);
@@ -1240,11 +1309,11 @@
     select.onchange = () => set(select.value);
     return [select];
   }
-  function number({ least, most, kind, optional }, value, set) {
+  function number({ least, most, kind, optional, odd }, value, set) {
     const range = (most ?? Infinity) - (least ?? -Infinity);
-    const step = kind === "number" ? "any" : "1";
+    const step = kind === "number" ? String(range / 100) : odd ? "2" : "1";
     const limits = { step, min: String(least ?? ""), max: String(most ?? "") };
-    if (range > LONGEST2 || optional) {
+    if (range > LONGEST2 && kind !== "number" || optional) {
       const box = made2("input", { type: "number", ...limits, value: value === null ? "" : String(value) });
       if (optional) box.placeholder = "auto";
       box.onchange = () => {
@@ -1254,7 +1323,7 @@
       return [box];
     }
     const shown = made2("output", { textContent: String(value) });
-    const slider = made2("input", { type: "range", ...limits, step: kind === "number" ? String(range / 100) : "1", value: String(value) });
+    const slider = made2("input", { type: "range", ...limits, value: String(value) });
     slider.oninput = () => {
       shown.textContent = String(+slider.valueAsNumber.toFixed(2));
       set(slider.valueAsNumber);
@@ -1306,7 +1375,7 @@
       byId("compiling").hidden = done >= total;
     }
     working({ which, state, text }) {
-      if (state === "started") this.busy.set(which, text || `${which} is being made`);
+      if (state === "started") this.busy.set(which, `${which} ${text || "is being made"}`);
       else this.busy.delete(which);
       byId("working").textContent = [...this.busy.values()].join(", ");
       byId("finish").classList.toggle("busy", this.busy.has("full"));
@@ -1325,12 +1394,11 @@
     warm: "searched on from the last step of the turn",
     fast: "the dense method, preset fast",
     full: "the full method",
-    step: "as far as the step buttons have gone"
+    step: "by the step buttons"
   };
   var Result = class {
-    canvas = byId("picture");
     which = null;
-    context = this.canvas.getContext("2d", { alpha: false });
+    screen = new Screen(byId("picture"));
     latency;
     resized;
     newest = null;
@@ -1353,15 +1421,12 @@
       this.askFrame();
     }
     draw() {
-      const { newest, canvas } = this;
+      const { newest } = this;
       if (!newest) return;
       this.newest = null;
       const { which, width, height, serial, milliseconds } = newest;
-      if (canvas.width !== width || canvas.height !== height) {
-        Object.assign(canvas, { width, height });
-        this.resized(width, height);
-      }
-      this.context.putImageData(imageOf(width, height, newest.rgb), 0, 0);
+      this.screen.show(width, height, newest.rgb);
+      this.resized(width, height);
       this.which = which;
       byId("empty").hidden = true;
       byId("which").textContent = which;
@@ -1378,23 +1443,21 @@
 
   // src/room.ts
   var WIDE = matchMedia("(min-width: 1100px)");
-  function folding(button, name) {
-    const fold = (isOpen) => {
-      document.body.classList.toggle(name, isOpen);
-      button.ariaExpanded = String(isOpen);
-    };
-    button.onclick = () => fold(!document.body.classList.contains(name));
-    return fold;
-  }
   function room() {
-    const foldPanels = folding(byId("panels-open"), "shows-panels");
-    foldPanels(WIDE.matches);
-    WIDE.addEventListener("change", () => foldPanels(WIDE.matches));
-    byId("panels-close").onclick = () => {
-      foldPanels(false);
-      byId("panels-open").focus();
+    const button = byId("panels-open");
+    const shows = (name) => (isShown) => void document.body.classList.toggle(name, isShown);
+    const showPanels = (areShown) => {
+      shows("shows-panels")(areShown);
+      button.ariaExpanded = String(areShown);
     };
-    folding(byId("brush-open"), "shows-brush");
+    showPanels(WIDE.matches);
+    WIDE.addEventListener("change", () => showPanels(WIDE.matches));
+    button.onclick = () => showPanels(button.ariaExpanded !== "true");
+    byId("panels-close").onclick = () => {
+      showPanels(false);
+      button.focus();
+    };
+    new Popup(byId("brush-open"), byId("brush"), shows("shows-brush"));
     const help = byId("help-dialog");
     byId("help").onclick = () => help.showModal();
     for (const close of document.querySelectorAll("[data-close]"))
@@ -1404,7 +1467,7 @@
       byId("views").src = "/views/";
       views.showModal();
     };
-    return { togglePanels: () => byId("panels-open").click(), showHelp: () => help.showModal() };
+    return { togglePanels: () => button.click(), showHelp: () => help.showModal() };
   }
 
   // src/refusals.ts
@@ -1429,7 +1492,7 @@
   var sentenceOf = (error) => error instanceof Error ? error.message : String(error);
 
   // src/scanning.ts
-  var NAMES = ["top left", "top right", "bottom right", "bottom left"];
+  var NAMES2 = ["top left", "top right", "bottom right", "bottom left"];
   var Scanning = class {
     dialog = byId("scan-dialog");
     state = byId("scan-state");
@@ -1446,7 +1509,7 @@
         file.value = "";
         if (chosen) void this.read(chosen).catch((error) => this.tell(sentenceOf(error)));
       };
-      this.handles = NAMES.map((name, k) => this.handle(name, k));
+      this.handles = NAMES2.map((name, k) => this.handle(name, k));
       byId("photo-frame").append(...this.handles);
       this.send.onclick = () => void this.sendCorners().catch((error) => this.tell(sentenceOf(error)));
     }
@@ -1535,11 +1598,11 @@
     isResting = false;
     rested = 0;
     timer = 0;
-    askFrame;
+    ask;
     constructor(connection, latency) {
       this.connection = connection;
       this.latency = latency;
-      this.askFrame = oncePerFrame(() => this.flush());
+      this.ask = atOnceAndPerFrame(() => this.flush());
       document.addEventListener("visibilitychange", () => document.hidden && this.flush());
     }
     /** Whether there is paint that the server does not have. */
@@ -1549,7 +1612,7 @@
     /** Whether what changes may be sent. */
     allow(isAllowed) {
       this.isAllowed = isAllowed;
-      this.askFrame();
+      this.ask();
     }
     changed(rect, time = performance.now()) {
       if (!rect) return;
@@ -1558,13 +1621,13 @@
       this.isResting = false;
       clearTimeout(this.timer);
       this.timer = setTimeout(() => this.rest(), REST);
-      this.askFrame();
+      this.ask();
     }
     /** The brush rests, or its stroke is done. */
     rest() {
       clearTimeout(this.timer);
       this.isResting = true;
-      this.askFrame();
+      this.ask();
     }
     /** The server has other strokes than the page, or fewer: it gets the whole painting. */
     sendAll() {
@@ -1583,7 +1646,7 @@
       this.painting?.show();
       if (!this.isAllowed || !this.painting) return;
       if (this.unsent) {
-        if (this.connection.backlog > MOST_BACKLOG) return this.askFrame();
+        if (this.connection.backlog > MOST_BACKLOG) return this.ask();
         this.serial = this.serial + 1 >>> 0;
         this.connection.send(rectMessage(this.unsent, this.serial, this.painting.read(this.unsent)));
         this.latency.sends(this.serial, this.since);
@@ -1598,6 +1661,7 @@
   };
 
   // src/session.ts
+  var LIVE = ["replay", "coherent", "warm"];
   var Session = class {
     painting = null;
     role = null;
@@ -1651,7 +1715,7 @@
       const { result, looks, steps } = this.parts;
       if (frame.isPainting) return this.repaint(frame);
       if (frame.which === "look") return looks.answer(frame);
-      if (frame.which !== "step") steps.leave();
+      if (LIVE.includes(frame.which)) steps.leave();
       result.show(frame);
       looks.follow(frame.which);
     }
@@ -1687,12 +1751,14 @@
       result.forget();
       this.scenes = welcome.scenes;
       const chosen = byId("scene");
-      chosen.replaceChildren(...this.scenes.map(({ name, title }) => new Option(title, name)));
-      byId("name").textContent = welcome.painting.name;
-      document.title = `${welcome.painting.name} \xB7 Studio`;
+      chosen.replaceChildren(...this.scenes.map(({ name: name2, title }) => new Option(title, name2)));
+      const name = welcome.painting.name.split(/[\\/]/).at(-1);
+      Object.assign(byId("name"), { textContent: name, title: welcome.painting.name });
+      document.title = `${name} \xB7 Studio`;
       if (welcome.seed !== void 0) byId("seed").value = String(welcome.seed);
       this.choose(welcome);
       this.take(welcome.role);
+      byId("paper-panel").hidden = !welcome.panels.includes("scan");
       byId("views-panel").hidden = !welcome.panels.includes("views");
       if (welcome.panels.includes("texture") && byId("texture-panel").hidden)
         texture.open().catch((error) => notices.problem(sentenceOf(error)));
@@ -1713,8 +1779,9 @@
       return this.scenes.find(({ name }) => name === this.scene);
     }
     take(role) {
-      const { notices, connection, artist, sender } = this.parts;
+      const { notices, connection, artist, sender, looks } = this.parts;
       const isReader = role === "reader";
+      if (isReader) looks.leave();
       this.role = role;
       artist.mayPaint = !isReader;
       sender.allow(!isReader && !this.awaited);

@@ -62,8 +62,10 @@ export class Artist {
     this.add(this.path.begin(), time);
   }
 
-  move(sample: Sample, time?: number): void {
-    if (this.path) this.add(this.path.move(sample), time);
+  /** Go on to places, one after the other. */
+  move(samples: Sample[], time?: number): void {
+    const { path } = this;
+    if (path) this.add(samples.flatMap((sample) => [...path.move(sample)]), time);
   }
 
   end(time?: number): void {

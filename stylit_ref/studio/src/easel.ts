@@ -25,7 +25,7 @@ export function easel(viewport: Viewport, artist: Artist, picker: Picker, settin
     },
     move(event) {
       if (picks) picker.pick(...placeOf(event));
-      else for (const each of coalesced(event)) artist.move(sample(each), event.timeStamp);
+      else artist.move(coalesced(event).map(sample), event.timeStamp);
     },
     end(event) {
       if (picks) picker.done();

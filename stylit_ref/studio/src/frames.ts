@@ -12,3 +12,21 @@ export function oncePerFrame(step: () => void): () => void {
     });
   };
 }
+
+/** A function that takes a `step` at once, or in the next frame if it took one since the last. */
+export function atOnceAndPerFrame(step: () => void): () => void {
+  let [isAsked, hasStepped] = [false, false];
+  const take = () => {
+    hasStepped = true;
+    requestAnimationFrame(() => {
+      hasStepped = false;
+      if (isAsked) take();
+    });
+    isAsked = false;
+    step();
+  };
+  return () => {
+    if (hasStepped) isAsked = true;
+    else take();
+  };
+}

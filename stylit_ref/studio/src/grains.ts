@@ -17,6 +17,8 @@ export const HAIRS = 64;
 /** Heights from 0 to 255: of places of the ground, or across a stroke. */
 export interface Grain {
   follows: "ground" | "stroke";
+  /** How quickly paint fills a valley once it has reached it. */
+  fill: number;
   heights: Uint8Array;
 }
 
@@ -30,10 +32,10 @@ export function grainOf(name: GrainName): Grain | null {
 
 function make(name: GrainName): Grain | null {
   if (name === "smooth") return null;
-  if (name === "bristles") return { follows: "stroke", heights: levelled(hairs()) };
+  if (name === "bristles") return { follows: "stroke", fill: 1.6, heights: levelled(hairs()) };
   const height = { paper: paperAt, canvas: weaveAt, speckle: speckleAt }[name];
   const heights = Float32Array.from({ length: GRAIN * GRAIN }, (_, k) => height(k % GRAIN, Math.floor(k / GRAIN)));
-  return { follows: "ground", heights: levelled(heights) };
+  return { follows: "ground", fill: 3, heights: levelled(heights) };
 }
 
 const paperAt = (x: number, y: number) => 0.5 * noise(x, y, 2, 1) + 0.35 * noise(x, y, 4, 2) + 0.15 * noise(x, y, 1, 3);

@@ -5,7 +5,7 @@ import { byId, made } from "./elements.js";
 import { oncePerFrame } from "./frames.js";
 import type { SceneSaid } from "./protocol.js";
 
-const HEAVIEST = 16;
+const HEAVIEST = 8;
 
 export class Guides {
   private readonly connection: Connection;

@@ -7,6 +7,8 @@ import { around, type Rect } from "./rect.js";
 export type Tiles = Map<number, Uint32Array>;
 
 const MOST_BYTES = 256 * 1024 * 1024;
+/** After an hour of painting the page is not larger than after ten minutes. */
+const MOST_STEPS = 200;
 const TILE_BYTES = 4 * TILE * TILE;
 
 export class History {
@@ -36,7 +38,7 @@ export class History {
     if (!before.size) return;
     this.redoable = [];
     this.undoable.push(before);
-    while (this.bytes > this.most) this.undoable.shift();
+    while (this.bytes > this.most || this.undoable.length > MOST_STEPS) this.undoable.shift();
   }
 
   /** Take the last change back; where the painting differs now, or null. */

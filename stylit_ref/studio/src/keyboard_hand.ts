@@ -54,7 +54,7 @@ export class KeyboardHand {
     const kept = (value: number, most: number) => Math.min(Math.max(value, 0), most - 1);
     this.place = [kept(x + right * step, width), kept(y + down * step, height)];
     this.tip.showAt(...this.place);
-    if (this.isDown) this.artist.move(this.sample, event.timeStamp);
+    if (this.isDown) this.artist.move([this.sample], event.timeStamp);
   }
 
   private press(): void {

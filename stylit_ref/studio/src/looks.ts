@@ -2,8 +2,8 @@
 
 import type { Connection } from "./connection.js";
 import { byId, made } from "./elements.js";
-import { imageOf } from "./pixels.js";
 import type { Frame, SceneSaid, Which } from "./protocol.js";
+import { Screen } from "./screen.js";
 
 /** Those that a new picture or stroke leaves as they are. */
 const isStill = (what: string) => what.startsWith("A:") || what.startsWith("B:");
@@ -11,10 +11,12 @@ const isStill = (what: string) => what.startsWith("A:") || what.startsWith("B:")
 class Look {
   readonly choice: HTMLSelectElement;
   private readonly canvas: HTMLCanvasElement;
+  private readonly screen: Screen;
 
   constructor(side: "painting" | "picture", chosen: (look: Look) => void) {
     this.choice = byId(`${side}-look-choice`);
     this.canvas = byId(`${side}-look`);
+    this.screen = new Screen(this.canvas);
     const strength = byId<HTMLInputElement>(`${side}-look-strength`);
     this.choice.onchange = () => chosen(this);
     strength.oninput = () => (this.canvas.style.opacity = String(strength.valueAsNumber / 100));
@@ -41,9 +43,13 @@ class Look {
     this.canvas.hidden = true;
   }
 
+  leave(): void {
+    this.choice.value = "";
+    this.hide();
+  }
+
   draw({ width, height, rgb }: Frame): void {
-    Object.assign(this.canvas, { width, height });
-    this.canvas.getContext("2d")?.putImageData(imageOf(width, height, rgb), 0, 0);
+    this.screen.show(width, height, rgb);
     this.canvas.hidden = false;
   }
 }
@@ -70,7 +76,7 @@ export class Looks {
     });
     picture.offer({
       "Guides of B": named("B"),
-      "What lies between": { nnf: "Nearest-neighbour field", ...Object.fromEntries(texts) },
+      "What lies between": { nnf: "Matches (NNF)", ...Object.fromEntries(texts) },
     });
     this.asked = null;
     this.waiting.clear();
@@ -99,6 +105,13 @@ export class Looks {
     this.asked?.hide();
     this.asked = null;
     this.next();
+  }
+
+  /** A page that looks on cannot ask. */
+  leave(): void {
+    this.looks.forEach((look) => look.leave());
+    this.waiting.clear();
+    this.asked = null;
   }
 
   private refresh(isMeant: (what: string) => boolean): void {

@@ -2,6 +2,7 @@
 
 import { colourOf, fromHex, hexOf, rgbOf, type Colour, type Rgb } from "./colour.js";
 import { byId, made } from "./elements.js";
+import { Popup } from "./popup.js";
 import type { Settings } from "./settings.js";
 
 const PARTS = { hue: 360, saturation: 100, value: 100 } as const;
@@ -10,23 +11,14 @@ type Part = keyof typeof PARTS;
 export class Palette {
   private readonly settings: Settings;
   private readonly button = byId<HTMLButtonElement>("colour");
-  private readonly panel = byId("palette");
   private readonly number = byId<HTMLInputElement>("colour-number");
   private colour: Colour;
 
   constructor(settings: Settings) {
     this.settings = settings;
     this.colour = colourOf(settings.chosen.rgb);
-    this.button.onclick = () => this.open(this.panel.hidden === true);
-    addEventListener("pointerdown", ({ target }) => {
-      if (target instanceof Node && !this.panel.contains(target) && !this.button.contains(target)) this.open(false);
-    });
-    addEventListener("keydown", (event) => {
-      if (event.key !== "Escape" || this.panel.hidden) return;
-      const hadFocus = this.panel.contains(document.activeElement);
-      this.open(false);
-      if (hadFocus) this.button.focus();
-    });
+    const panel = byId("palette");
+    new Popup(this.button, panel, (isOpen) => (panel.hidden = !isOpen));
     for (const part of Object.keys(PARTS) as Part[]) {
       const slider = byId<HTMLInputElement>(part);
       slider.oninput = () => {
@@ -40,11 +32,6 @@ export class Palette {
       else this.number.value = hexOf(settings.chosen.rgb);
     };
     settings.onChange(() => this.show());
-  }
-
-  open(isOpen: boolean): void {
-    this.panel.hidden = !isOpen;
-    this.button.ariaExpanded = String(isOpen);
   }
 
   private choose(rgb: Rgb): void {

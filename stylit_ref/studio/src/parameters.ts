@@ -5,8 +5,17 @@ import { byId, made } from "./elements.js";
 import { oncePerFrame } from "./frames.js";
 import type { Field, Value } from "./protocol.js";
 
-/** Ranges up to this long have a slider. */
+/** Ranges of whole numbers up to this long have a slider. */
 const LONGEST = 64;
+/** With the letters of the thesis. */
+const NAMES: Record<string, string> = {
+  patch_width: "patch width w",
+  spacing: "spacing r",
+  levels: "levels L",
+  mu: "style μ",
+  depth: "depth D",
+  uniformity: "uniformity λ",
+};
 
 export class Parameters {
   private readonly connection: Connection;
@@ -39,7 +48,8 @@ export class Parameters {
   }
 
   private row(field: Field, value: Value): HTMLElement {
-    const name = made("span", { textContent: field.name.replaceAll("_", " "), title: field.help });
+    const textContent = NAMES[field.name] ?? field.name.replaceAll("_", " ");
+    const name = made("span", { textContent, title: field.help });
     const set = (now: Value) => {
       this.unsent[field.name] = now;
       this.changed(field.name, now);
@@ -101,11 +111,11 @@ function choice(choices: string[], value: string, set: (value: Value) => void): 
 }
 
 /** A slider with its number where the range is short, else a number to type. */
-function number({ least, most, kind, optional }: Field, value: number | null, set: (value: Value) => void): HTMLElement[] {
+function number({ least, most, kind, optional, odd }: Field, value: number | null, set: (value: Value) => void): HTMLElement[] {
   const range = (most ?? Infinity) - (least ?? -Infinity);
-  const step = kind === "number" ? "any" : "1";
+  const step = kind === "number" ? String(range / 100) : odd ? "2" : "1";
   const limits = { step, min: String(least ?? ""), max: String(most ?? "") };
-  if (range > LONGEST || optional) {
+  if ((range > LONGEST && kind !== "number") || optional) {
     const box = made("input", { type: "number", ...limits, value: value === null ? "" : String(value) });
     if (optional) box.placeholder = "auto";
     box.onchange = () => {
@@ -115,7 +125,7 @@ function number({ least, most, kind, optional }: Field, value: number | null, se
     return [box];
   }
   const shown = made("output", { textContent: String(value) });
-  const slider = made("input", { type: "range", ...limits, step: kind === "number" ? String(range / 100) : "1", value: String(value) });
+  const slider = made("input", { type: "range", ...limits, value: String(value) });
   slider.oninput = () => {
     shown.textContent = String(+slider.valueAsNumber.toFixed(2));
     set(slider.valueAsNumber);

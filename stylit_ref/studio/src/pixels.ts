@@ -11,10 +11,3 @@ export function fromRgb(rgb: Uint8Array, pixels: Uint32Array): void {
   for (let from = 0, to = 0; to < pixels.length; from += 3, to++)
     pixels[to] = OPAQUE | (rgb[from + 2] << 16) | (rgb[from + 1] << 8) | rgb[from];
 }
-
-/** A picture of three bytes a pixel, for a canvas. */
-export function imageOf(width: number, height: number, rgb: Uint8Array): ImageData {
-  const image = new ImageData(width, height);
-  fromRgb(rgb, new Uint32Array(image.data.buffer));
-  return image;
-}

@@ -16,7 +16,7 @@ export class Progress {
   }
 
   working({ which, state, text }: Working): void {
-    if (state === "started") this.busy.set(which, text || `${which} is being made`);
+    if (state === "started") this.busy.set(which, `${which} ${text || "is being made"}`);
     else this.busy.delete(which);
     byId("working").textContent = [...this.busy.values()].join(", ");
     byId("finish").classList.toggle("busy", this.busy.has("full"));

@@ -44,6 +44,7 @@ export interface Field {
   help: string;
   of: "live" | "dense";
   optional?: boolean;
+  odd?: boolean;
 }
 
 /** What belongs to a scene that is chosen. */

@@ -3,8 +3,8 @@
 import { byId } from "./elements.js";
 import { oncePerFrame } from "./frames.js";
 import type { Latency } from "./latency.js";
-import { imageOf } from "./pixels.js";
 import type { Frame, Which } from "./protocol.js";
+import { Screen } from "./screen.js";
 
 const MEANINGS: Record<Exclude<Which, "look">, string> = {
   replay: "the last match, with your new paint",
@@ -12,13 +12,12 @@ const MEANINGS: Record<Exclude<Which, "look">, string> = {
   warm: "searched on from the last step of the turn",
   fast: "the dense method, preset fast",
   full: "the full method",
-  step: "as far as the step buttons have gone",
+  step: "by the step buttons",
 };
 
 export class Result {
-  readonly canvas = byId<HTMLCanvasElement>("picture");
   which: Which | null = null;
-  private readonly context = this.canvas.getContext("2d", { alpha: false }) as CanvasRenderingContext2D;
+  private readonly screen = new Screen(byId("picture"));
   private readonly latency: Latency;
   private readonly resized: (width: number, height: number) => void;
   private newest: Frame | null = null;
@@ -45,15 +44,12 @@ export class Result {
   }
 
   private draw(): void {
-    const { newest, canvas } = this;
+    const { newest } = this;
     if (!newest) return;
     this.newest = null;
     const { which, width, height, serial, milliseconds } = newest;
-    if (canvas.width !== width || canvas.height !== height) {
-      Object.assign(canvas, { width, height });
-      this.resized(width, height);
-    }
-    this.context.putImageData(imageOf(width, height, newest.rgb), 0, 0);
+    this.screen.show(width, height, newest.rgb);
+    this.resized(width, height);
     this.which = which;
     byId("empty").hidden = true;
     byId("which").textContent = which;

@@ -1,28 +1,26 @@
 // The room of the page: what is open, and what is folded away.
 
 import { byId } from "./elements.js";
+import { Popup } from "./popup.js";
 
 /** Narrower windows have no room for panels beside the pictures. */
 const WIDE = matchMedia("(min-width: 1100px)");
 
-function folding(button: HTMLElement, name: string): (isOpen: boolean) => void {
-  const fold = (isOpen: boolean) => {
-    document.body.classList.toggle(name, isOpen);
-    button.ariaExpanded = String(isOpen);
-  };
-  button.onclick = () => fold(!document.body.classList.contains(name));
-  return fold;
-}
-
 export function room(): { togglePanels(): void; showHelp(): void } {
-  const foldPanels = folding(byId("panels-open"), "shows-panels");
-  foldPanels(WIDE.matches);
-  WIDE.addEventListener("change", () => foldPanels(WIDE.matches));
-  byId("panels-close").onclick = () => {
-    foldPanels(false);
-    byId("panels-open").focus();
+  const button = byId("panels-open");
+  const shows = (name: string) => (isShown: boolean) => void document.body.classList.toggle(name, isShown);
+  const showPanels = (areShown: boolean) => {
+    shows("shows-panels")(areShown);
+    button.ariaExpanded = String(areShown);
   };
-  folding(byId("brush-open"), "shows-brush");
+  showPanels(WIDE.matches);
+  WIDE.addEventListener("change", () => showPanels(WIDE.matches));
+  button.onclick = () => showPanels(button.ariaExpanded !== "true");
+  byId("panels-close").onclick = () => {
+    showPanels(false);
+    button.focus();
+  };
+  new Popup(byId("brush-open"), byId("brush"), shows("shows-brush"));
   const help = byId<HTMLDialogElement>("help-dialog");
   byId("help").onclick = () => help.showModal();
   for (const close of document.querySelectorAll<HTMLButtonElement>("[data-close]"))
@@ -32,5 +30,5 @@ export function room(): { togglePanels(): void; showHelp(): void } {
     byId<HTMLIFrameElement>("views").src = "/views/";
     views.showModal();
   };
-  return { togglePanels: () => byId("panels-open").click(), showHelp: () => help.showModal() };
+  return { togglePanels: () => button.click(), showHelp: () => help.showModal() };
 }

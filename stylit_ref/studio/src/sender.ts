@@ -1,7 +1,8 @@
-// The painting on its way to the server: what changed, once a frame, and when the brush rests.
+// The painting on its way to the server and to the canvas: what changed, once a frame, and when the brush
+// rests.
 
 import type { Connection } from "./connection.js";
-import { oncePerFrame } from "./frames.js";
+import { atOnceAndPerFrame } from "./frames.js";
 import type { Latency } from "./latency.js";
 import type { Painting } from "./painting.js";
 import { rectMessage } from "./protocol.js";
@@ -25,12 +26,12 @@ export class Sender {
   private isResting = false;
   private rested = 0;
   private timer = 0;
-  private readonly askFrame: () => void;
+  private readonly ask: () => void;
 
   constructor(connection: Connection, latency: Latency) {
     this.connection = connection;
     this.latency = latency;
-    this.askFrame = oncePerFrame(() => this.flush());
+    this.ask = atOnceAndPerFrame(() => this.flush());
     // Frames of a hidden page are not drawn.
     document.addEventListener("visibilitychange", () => document.hidden && this.flush());
   }
@@ -43,7 +44,7 @@ export class Sender {
   /** Whether what changes may be sent. */
   allow(isAllowed: boolean): void {
     this.isAllowed = isAllowed;
-    this.askFrame();
+    this.ask();
   }
 
   changed(rect: Rect | null, time = performance.now()): void {
@@ -53,14 +54,14 @@ export class Sender {
     this.isResting = false;
     clearTimeout(this.timer);
     this.timer = setTimeout(() => this.rest(), REST);
-    this.askFrame();
+    this.ask();
   }
 
   /** The brush rests, or its stroke is done. */
   rest(): void {
     clearTimeout(this.timer);
     this.isResting = true;
-    this.askFrame();
+    this.ask();
   }
 
   /** The server has other strokes than the page, or fewer: it gets the whole painting. */
@@ -82,7 +83,7 @@ export class Sender {
     this.painting?.show();
     if (!this.isAllowed || !this.painting) return;
     if (this.unsent) {
-      if (this.connection.backlog > MOST_BACKLOG) return this.askFrame();
+      if (this.connection.backlog > MOST_BACKLOG) return this.ask();
       this.serial = (this.serial + 1) >>> 0;
       this.connection.send(rectMessage(this.unsent, this.serial, this.painting.read(this.unsent)));
       this.latency.sends(this.serial, this.since);

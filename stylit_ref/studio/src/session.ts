@@ -11,7 +11,7 @@ import { Painting } from "./painting.js";
 import type { Parameters } from "./parameters.js";
 import { fromRgb } from "./pixels.js";
 import type { Progress } from "./progress.js";
-import { VERSION, type Chosen, type Frame, type Role, type Said, type SceneSaid, type Value, type Welcome } from "./protocol.js";
+import { VERSION, type Chosen, type Frame, type Role, type Said, type SceneSaid, type Value, type Welcome, type Which } from "./protocol.js";
 import { sentenceOf } from "./refusals.js";
 import type { Result } from "./result.js";
 import type { Sender } from "./sender.js";
@@ -36,6 +36,9 @@ export interface Parts {
   /** Another painting lies on the easel. */
   uses(painting: Painting): void;
 }
+
+/** Pictures that come when somebody paints or turns. */
+const LIVE: Which[] = ["replay", "coherent", "warm"];
 
 export class Session implements Heard {
   painting: Painting | null = null;
@@ -85,7 +88,7 @@ export class Session implements Heard {
     const { result, looks, steps } = this.parts;
     if (frame.isPainting) return this.repaint(frame);
     if (frame.which === "look") return looks.answer(frame);
-    if (frame.which !== "step") steps.leave();
+    if (LIVE.includes(frame.which)) steps.leave();
     result.show(frame);
     looks.follow(frame.which);
   }
@@ -127,11 +130,13 @@ export class Session implements Heard {
     this.scenes = welcome.scenes;
     const chosen = byId<HTMLSelectElement>("scene");
     chosen.replaceChildren(...this.scenes.map(({ name, title }) => new Option(title, name)));
-    byId("name").textContent = welcome.painting.name;
-    document.title = `${welcome.painting.name} · Studio`;
+    const name = welcome.painting.name.split(/[\\/]/).at(-1) as string;
+    Object.assign(byId("name"), { textContent: name, title: welcome.painting.name });
+    document.title = `${name} · Studio`;
     if (welcome.seed !== undefined) byId<HTMLInputElement>("seed").value = String(welcome.seed);
     this.choose(welcome);
     this.take(welcome.role);
+    byId("paper-panel").hidden = !welcome.panels.includes("scan");
     byId("views-panel").hidden = !welcome.panels.includes("views");
     if (welcome.panels.includes("texture") && byId("texture-panel").hidden)
       texture.open().catch((error: unknown) => notices.problem(sentenceOf(error)));
@@ -155,8 +160,9 @@ export class Session implements Heard {
   }
 
   private take(role: Role): void {
-    const { notices, connection, artist, sender } = this.parts;
+    const { notices, connection, artist, sender, looks } = this.parts;
     const isReader = role === "reader";
+    if (isReader) looks.leave();
     this.role = role;
     artist.mayPaint = !isReader;
     sender.allow(!isReader && !this.awaited);

@@ -20,9 +20,6 @@ interface Touched {
   covered: Uint8Array;
 }
 
-/** How quickly paint fills a valley of the ground once it has reached it. */
-const FILL = 3;
-
 export class Stroke {
   private readonly painting: Painting;
   private readonly ink: Ink;
@@ -91,7 +88,7 @@ export class Stroke {
         if (grain) {
           const hair = (down * along - right * across + 1) * (HAIRS / 2);
           const place = grain.follows === "ground" ? (y % GRAIN) * GRAIN + (x % GRAIN) : Math.min(Math.max(Math.floor(hair), 0), HAIRS - 1);
-          paint = Math.min(255, Math.max(0, FILL * (paint + grain.heights[place] - 255)));
+          paint = Math.min(255, Math.max(0, grain.fill * (paint + grain.heights[place] - 255)));
         }
         if (paint <= covered[at]) continue;
         covered[at] = paint;

@@ -1,0 +1,51 @@
+"""Pages of the studio in a browser."""
+
+import pytest
+from chromium_browser import chromium_browser
+from fake_studio import FakeStudio
+from studio_page import StudioPage
+
+
+@pytest.fixture(scope="module")
+def chromium():
+    """A browser for the tests of a module."""
+    with chromium_browser() as browser:
+        yield browser
+
+
+@pytest.fixture
+def studio():
+    """A server that speaks the studio's protocol."""
+    server = FakeStudio()
+    yield server
+    server.stop()
+
+
+@pytest.fixture
+def open_page(chromium):
+    """Opens pages; one that complains, or asks another server, fails the test."""
+    contexts, complaints, servers = [], [], []
+
+    def tell_far(url):
+        if not url.startswith(("data:", *(server.address for server in servers))):
+            complaints.append(url)
+
+    def opened(server, size=(1000, 640), context=None, **settings):
+        servers.append(server)
+        if context is None:
+            viewport = dict(zip(("width", "height"), size, strict=True))
+            context = chromium.new_context(viewport=viewport, **settings)
+            context.set_default_timeout(5000)
+            contexts.append(context)
+        page = context.new_page()
+        page.on("console", lambda said: said.type == "error" and complaints.append(said.text))
+        page.on("pageerror", lambda error: complaints.append(str(error)))
+        page.on("request", lambda asked: tell_far(asked.url))
+        page.goto(server.address)
+        return StudioPage(page)
+
+    opened.complaints = complaints
+    yield opened
+    for context in contexts:
+        context.close()
+    assert complaints == []

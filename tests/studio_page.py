@@ -1,0 +1,81 @@
+"""A page of the studio in a browser, as tests drive it."""
+
+import base64
+import time
+
+import numpy as np
+
+_PIXELS = """() => {
+  const canvas = document.getElementById("painting");
+  const shown = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
+  let letters = "";
+  for (let i = 0; i < shown.length; i += 32768)
+    letters += String.fromCharCode(...shown.subarray(i, i + 32768));
+  return [canvas.height, canvas.width, btoa(letters)];
+}"""
+
+
+class StudioPage:
+    """A page that is open.
+
+    Attributes
+    ----------
+    page : playwright.sync_api.Page
+    """
+
+    def __init__(self, page):
+        self.page = page
+
+    def until(self, script, wanted=True):
+        """Wait until a script gives what is wanted. The page's policy forbids Playwright's way."""
+        end = time.monotonic() + 10
+        while (found := self.page.evaluate(script)) != wanted:
+            assert time.monotonic() < end, f"{script} gives {found!r}"
+            time.sleep(0.01)
+
+    def started(self):
+        """Wait until it has the painting, the picture, and leave to send; returns itself."""
+        self.until("!!window.stylitStudio?.session.painting")
+        self.until("document.getElementById('empty').hidden")
+        return self
+
+    def unfold(self):
+        """Open all panels."""
+        self.page.evaluate("document.querySelectorAll('details').forEach((it) => (it.open = true))")
+
+    def at(self, x, y):
+        """The place in the window of a pixel of the painting."""
+        box = self.page.locator("#painting").bounding_box()
+        width = self.page.evaluate("document.getElementById('painting').width")
+        scale = box["width"] / width
+        return box["x"] + (x + 0.5) * scale, box["y"] + (y + 0.5) * scale
+
+    def stroke(self, *places, steps=4):
+        """Paint with the mouse from pixel to pixel of the painting."""
+        mouse = self.page.mouse
+        mouse.move(*self.at(*places[0]))
+        mouse.down()
+        for place in places[1:]:
+            mouse.move(*self.at(*place), steps=steps)
+        mouse.up()
+
+    def pixels(self):
+        """The painting as the canvas shows it, (H, W, 3) uint8."""
+        self.page.evaluate("new Promise(requestAnimationFrame)")
+        height, width, letters = self.page.evaluate(_PIXELS)
+        rgba = np.frombuffer(base64.b64decode(letters), np.uint8).reshape(height, width, 4)
+        assert (rgba[..., 3] == 255).all()
+        return rgba[..., :3]
+
+    def set(self, name, value):
+        """Set a control, as a hand does."""
+        control = self.page.locator(f"#{name}")
+        control.evaluate(
+            "(it, value) => { it.value = value;"
+            " for (const kind of ['input', 'change']) it.dispatchEvent(new Event(kind)); }",
+            str(value),
+        )
+
+    def text(self, name):
+        """What an element says."""
+        return self.page.locator(f"#{name}").text_content()
