@@ -960,6 +960,8 @@
       if (this.image.width !== width || this.image.height !== height) {
         this.image = new ImageData(width, height);
         Object.assign(this.canvas, { width, height });
+        const { clientWidth } = this.canvas.parentElement;
+        this.canvas.classList.toggle("squares", 1.5 * width < clientWidth);
       }
       fromRgb(rgb, new Uint32Array(this.image.data.buffer));
       this.context.putImageData(this.image, 0, 0);
@@ -1400,13 +1402,11 @@
     which = null;
     screen = new Screen(byId("picture"));
     latency;
-    resized;
     newest = null;
     serial = 0;
     askFrame;
-    constructor(latency, resized2) {
+    constructor(latency) {
       this.latency = latency;
-      this.resized = resized2;
       this.askFrame = oncePerFrame(() => this.draw());
     }
     /** Begin again, as the server counts serials from elsewhere. */
@@ -1426,7 +1426,6 @@
       this.newest = null;
       const { which, width, height, serial, milliseconds } = newest;
       this.screen.show(width, height, newest.rgb);
-      this.resized(width, height);
       this.which = which;
       byId("empty").hidden = true;
       byId("which").textContent = which;
@@ -1770,6 +1769,7 @@
       const { turning, looks, guides, steps } = this.parts;
       this.scene = byId("scene").value = scene;
       this.parts.parameters.offer(parameters.fields, parameters.values);
+      this.parts.shows(this.now);
       turning.offer(this.now.steps, step);
       guides.offer(this.now, weights, layers ?? []);
       steps.leave();
@@ -2301,6 +2301,7 @@
       const { style } = this.sheet;
       style.width = `${this.width}px`;
       style.height = `${this.height}px`;
+      style.setProperty("--scale", String(this.scale));
       style.transform = `translate(${this.left}px, ${this.top}px) scale(${this.scale})`;
       this.sheet.classList.toggle("squares", this.scale >= SQUARES);
       this.told(this.scale);
@@ -2324,7 +2325,7 @@
     const picker = new Picker(settings, notices);
     const tip = new Tip(byId("tip"), left, settings);
     const keys = new KeyboardHand(left.pane, artist, picker, settings, tip, notices);
-    const result = new Result(latency, (width, height) => right.resize(width, height));
+    const result = new Result(latency);
     const looks = new Looks(connection);
     const turning = new Turning(connection, right.pane, () => looks.turned());
     new Hands(left, easel(left, artist, picker, settings, tip));
@@ -2346,7 +2347,8 @@
       uses: (painting) => {
         picker.painting = keys.painting = painting;
         left.resize(painting.width, painting.height);
-      }
+      },
+      shows: ({ width, height }) => right.resize(width, height)
     });
     const finish = () => connection.ask({ do: "finish" });
     const fit = () => [left, right].forEach((viewport) => viewport.fit());

@@ -11,7 +11,7 @@ _ROUNDS = 10
 _PAINT = 0.01
 """What counts a place that is darker than the light found so far; paper is what is brightest."""
 
-_WIDTHS = 0.3, 0.15, 0.08
+_MARGINS = 0.3, 0.15, 0.08
 """Within these of the light, as logarithms, a place is paper."""
 
 _LEAST_PAPER = 0.25
@@ -73,21 +73,24 @@ def evened(
     brightest = np.quantile(light.mean(axis=2), 0.98)
     if np.median(seen.mean(axis=1)) < _LEAST_PAPER * brightest:
         return picture
-    terms = _terms(places, width, height)
-    logarithms = np.log(seen)
-    brightness = logarithms.mean(axis=1)
-    above = np.ones(len(places))
-    for _ in range(_ROUNDS):
-        shape = _fitted(terms, brightness, above)
-        above = np.where(brightness > terms @ shape, 1, _PAINT)
-    for margin in _WIDTHS:
-        near = np.abs(brightness - terms @ shape) < margin
-        shape = _fitted(terms, brightness, near)
-    shapes = np.linalg.lstsq(terms[near], logarithms[near])[0]
+    shapes = _light(_terms(places, width, height), np.log(seen))
     x, y = np.arange(width) + 0.5, np.arange(height) + 0.5
     where = np.stack(np.meshgrid(x, y), axis=-1).reshape(-1, 2)
     white = np.exp(_terms(where, width, height) @ shapes).reshape(picture.shape)
     return _encoded(light / white)
+
+
+def _light(terms, logarithms):
+    """The polynomial of each colour, (6, 3): through what is brightest, then through its like."""
+    brightness = logarithms.mean(axis=1)
+    counts = np.ones(len(brightness))
+    for _ in range(_ROUNDS):
+        shape = _fitted(terms, brightness, counts)
+        counts = np.where(brightness > terms @ shape, 1, _PAINT)
+    for margin in _MARGINS:
+        near = np.abs(brightness - terms @ shape) < margin
+        shape = _fitted(terms, brightness, near)
+    return np.linalg.lstsq(terms[near], logarithms[near])[0]
 
 
 def _fitted(terms, values, weights):

@@ -53,7 +53,7 @@ function start(): void {
   const picker = new Picker(settings, notices);
   const tip = new Tip(byId("tip"), left, settings);
   const keys = new KeyboardHand(left.pane, artist, picker, settings, tip, notices);
-  const result = new Result(latency, (width, height) => right.resize(width, height));
+  const result = new Result(latency);
   const looks = new Looks(connection);
   const turning = new Turning(connection, right.pane, () => looks.turned());
   new Hands(left, easel(left, artist, picker, settings, tip));
@@ -71,6 +71,7 @@ function start(): void {
       picker.painting = keys.painting = painting;
       left.resize(painting.width, painting.height);
     },
+    shows: ({ width, height }) => right.resize(width, height),
   });
   const finish = () => connection.ask({ do: "finish" });
   const fit = () => [left, right].forEach((viewport) => viewport.fit());

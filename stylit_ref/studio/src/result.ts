@@ -19,14 +19,12 @@ export class Result {
   which: Which | null = null;
   private readonly screen = new Screen(byId("picture"));
   private readonly latency: Latency;
-  private readonly resized: (width: number, height: number) => void;
   private newest: Frame | null = null;
   private serial = 0;
   private readonly askFrame: () => void;
 
-  constructor(latency: Latency, resized: (width: number, height: number) => void) {
+  constructor(latency: Latency) {
     this.latency = latency;
-    this.resized = resized;
     this.askFrame = oncePerFrame(() => this.draw());
   }
 
@@ -49,7 +47,6 @@ export class Result {
     this.newest = null;
     const { which, width, height, serial, milliseconds } = newest;
     this.screen.show(width, height, newest.rgb);
-    this.resized(width, height);
     this.which = which;
     byId("empty").hidden = true;
     byId("which").textContent = which;

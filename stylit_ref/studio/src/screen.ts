@@ -16,6 +16,9 @@ export class Screen {
     if (this.image.width !== width || this.image.height !== height) {
       this.image = new ImageData(width, height);
       Object.assign(this.canvas, { width, height });
+      // Coarser levels are stretched over the sheet.
+      const { clientWidth } = this.canvas.parentElement as HTMLElement;
+      this.canvas.classList.toggle("squares", 1.5 * width < clientWidth);
     }
     fromRgb(rgb, new Uint32Array(this.image.data.buffer));
     this.context.putImageData(this.image, 0, 0);

@@ -35,6 +35,8 @@ export interface Parts {
   parameters: Parameters;
   /** Another painting lies on the easel. */
   uses(painting: Painting): void;
+  /** The target is another one. */
+  shows(scene: SceneSaid): void;
 }
 
 /** Pictures that come when somebody paints or turns. */
@@ -149,6 +151,7 @@ export class Session implements Heard {
     const { turning, looks, guides, steps } = this.parts;
     this.scene = byId<HTMLSelectElement>("scene").value = scene;
     this.parts.parameters.offer(parameters.fields, parameters.values);
+    this.parts.shows(this.now);
     turning.offer(this.now.steps, step);
     guides.offer(this.now, weights, layers ?? []);
     steps.leave();

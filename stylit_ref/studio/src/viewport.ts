@@ -92,6 +92,7 @@ export class Viewport {
     const { style } = this.sheet;
     style.width = `${this.width}px`;
     style.height = `${this.height}px`;
+    style.setProperty("--scale", String(this.scale));
     style.transform = `translate(${this.left}px, ${this.top}px) scale(${this.scale})`;
     this.sheet.classList.toggle("squares", this.scale >= SQUARES);
     this.told(this.scale);
