@@ -13,7 +13,7 @@ ARGS ?=
 WORKERS ?= 2
 PYTHONS ?= 3.11 3.12 3.13 3.14
 
-.PHONY: eval reports schedules epsilon stylit spilling levels bench scenes test test-fast test-gpu ptx docs wheel lowest lint viewer bundles data blender help clean
+.PHONY: eval reports schedules epsilon stylit spilling levels bench scenes test test-fast test-gpu ptx docs wheel lowest lint viewer bundles data turntable blender help clean
 
 eval: $(VENV)/$(if $(SCHEDULER),cluster,eval).installed ## make the report on the thesis: PRESET=quick or thesis, SCHEDULER=ADDRESS, ARGS="--scene DIR"; DOCUMENT=lasram: on texture synthesis, heidrich: on real time
 	$(BIN)/python -m eval $(or $(DOCUMENT),dzurenko) $(if $(PRESET),--preset "$(PRESET)") $(if $(SCHEDULER),--scheduler "$(SCHEDULER)") $(ARGS)
@@ -40,6 +40,10 @@ scenes: report-scenes ## show all scenes, and every target in every style
 
 data: $(VENV)/render.installed ## render scenes and styles: SIZE=1200x912, SCENES=teapot,house
 	$(BIN)/python -m data_gen --size "$(SIZE)" $(if $(SCENES),--scenes "$(SCENES)") $(ARGS)
+
+turntable: $(VENV)/render.installed ## render the scene that the studio opens with; 5 minutes
+	$(BIN)/python -m data_gen --size 500x500 --scenes turntable --guides-only --folder build/turntable
+	$(BIN)/python -m data_gen.turntable build/turntable
 
 blender: .venv-blender/bpy.installed $(VENV)/eval.installed ## render a shot in Blender, check its vectors, and stylize it; needs Python 3.11 and 1.2 GB
 	.venv-blender/bin/python data_gen/blender_shot.py build/blender

@@ -14,7 +14,10 @@ _MADE_WITH = (
     "mitsuba", "drjit", "mitsuba-oidn", "numpy", "scipy", "scikit-image", "matplotlib",
     "OpenImageIO", "imageio", "pillow",
 )  # fmt: skip
-_MAKES_NO_BYTES = ("__main__.py", "manifest.py", "produce.py", "renderer.py")
+_MAKES_NO_BYTES = (
+    "__main__.py", "manifest.py", "produce.py", "renderer.py", "turntable/__init__.py",
+    "turntable/__main__.py",
+)  # fmt: skip
 
 
 class DataError(Exception):

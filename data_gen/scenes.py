@@ -59,6 +59,33 @@ def turning(name, model, cameras, degrees=1.0):
     return *views, MotionOfTurn(f"{name}/motion", scenes, tuple(cameras), degrees)
 
 
+def turntable(name, model, step):
+    """The pieces of a model that turns once around: a view for every ``step`` degrees.
+
+    Parameters
+    ----------
+    name : str
+        Of the scene; a view's is ``NAME/090``, with its degrees.
+    model : callable
+        Builds the mesh at 0 degrees.
+    step : int
+        Degrees; the front turns towards the right.
+
+    Returns
+    -------
+    tuple of View
+    """
+    return tuple(
+        View(
+            f"{name}/{degrees:03}",
+            partial(_turned_on_stage, model, degrees),
+            STAGE_VIEW,
+            STAGE_LIMITS,
+        )
+        for degrees in range(0, 360, step)
+    )
+
+
 def _turned_on_stage(model, degrees):
     return on_stage(turned(model(), degrees))
 
@@ -177,6 +204,7 @@ _ALWAYS = {name: (_on_stage(name, model),) for name, model in TARGETS.items()} |
 
 _ON_DEMAND = {
     "turning": turning("turning", _golem, 60 * (STAGE_VIEW,)),
+    "turntable": turntable("turntable", _golem, 30),
     "animation": _animation(),
     "sketched_house": (_HOUSE,),
     "sketched_chapel": (_CHAPEL,),

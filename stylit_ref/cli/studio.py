@@ -98,10 +98,11 @@ def run(options: argparse.Namespace) -> None:
     try:
         from stylit_ref.cli.studio_server import serve_studio
     except ModuleNotFoundError as error:
-        if error.name not in _EXTRA:
+        package = (error.name or "").partition(".")[0]
+        if package not in _EXTRA:
             raise
         raise InputError(
-            f"the studio needs the package {error.name!r}; pip install 'stylit-ref[studio]'"
+            f"the studio needs the package {package!r}; pip install 'stylit-ref[studio]'"
         ) from None
     serve_studio(options, shelf)
 

@@ -4,7 +4,8 @@ import argparse
 import logging
 import sys
 import webbrowser
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from threading import Thread
 
@@ -74,20 +75,27 @@ def serve_studio(options: argparse.Namespace, shelf: Shelf) -> None:
     ) -> Live:
         return Live(scene, painting, tell=tell, threads=options.threads, seed=seed)
 
+    watched = Path(options.watch) if options.watch else None
     try:
-        serve(
-            beginning,
-            engine,
-            door,
-            access,
-            panels=panels,
-            watched=Path(options.watch) if options.watch else None,
-            listens=listens,
-        )
+        with _failures_on_stderr():
+            serve(beginning, engine, door, access, panels=panels, watched=watched, listens=listens)
     except KeyboardInterrupt:
         saved = folder.style.exists()
         left = f"the painting is saved in {folder.folder}" if saved else "nothing was painted"
         raise KeyboardInterrupt(left) from None
+
+
+@contextmanager
+def _failures_on_stderr() -> Iterator[None]:
+    """Print failures of the studio itself whole, so that they can be reported."""
+    logger, handler = logging.getLogger("stylit_ref.studio"), logging.StreamHandler()
+    logger.addHandler(handler)
+    logger.propagate = False  # else they would be notes as well
+    try:
+        yield
+    finally:
+        logger.propagate = True
+        logger.removeHandler(handler)
 
 
 def _check_port(port: int | None) -> None:

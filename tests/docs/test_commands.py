@@ -49,10 +49,12 @@ NOT_RUN = (
     "not-run: needs a GPU",
     "not-run: needs ffmpeg",
     "not-run: writes the cases anew",
+    "not-run: serves until it is interrupted",
 )
 HELP = {
     "stylit-ref run": "stylit_ref.cli run",
     "stylit-ref sequence": "stylit_ref.cli sequence",
+    "stylit-ref studio": "stylit_ref.cli studio",
     "stylit-ref view": "stylit_ref.cli view",
     "stylit-ref views": "stylit_ref.cli views",
     "stylit-ref texture": "stylit_ref.cli texture",

@@ -65,6 +65,10 @@ class NotedEngine:
         self.calls.append(("replace_painting", serial))
         self.painting = painting.copy()
 
+    def choose_scene(self, scene, painting=None, serial=0):
+        self.calls.append(("choose_scene", scene))
+        self.painting = self.painting if painting is None else painting
+
     def turn(self, step, *, warm, restylize=True):
         self.calls.append(("turn", step, warm, restylize))
 

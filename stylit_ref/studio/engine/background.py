@@ -5,6 +5,7 @@ import multiprocessing
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
+from functools import partial
 from multiprocessing.connection import Connection
 from multiprocessing.process import BaseProcess
 from threading import Condition, Thread
@@ -16,7 +17,18 @@ from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
 from stylit_ref.files.field import Field
-from stylit_ref.studio.engine.dense_work import Failed, Going, Job, Kernels, Made, Stopped, work
+from stylit_ref.realtime.packing import Packing
+from stylit_ref.realtime.params import RealtimeParams
+from stylit_ref.studio.engine.dense_work import (
+    Ahead,
+    Failed,
+    Going,
+    Job,
+    Kernels,
+    Made,
+    Stopped,
+    work,
+)
 from stylit_ref.studio.engine.events import Compiling, Event, Picture, Working
 from stylit_ref.studio.engine.parameters import Settings
 from stylit_ref.studio.engine.scene import Scene
@@ -71,6 +83,7 @@ class Background:
         self._context = multiprocessing.get_context("spawn")
         self._wanted = self._context.RawValue(ctypes.c_uint64, 0)
         self._changed = Condition()
+        self._ahead: Ahead | None = None
         self._wish: Wish | None = None
         self._working_on: int | None = None
         self._is_closed = False
@@ -95,6 +108,12 @@ class Background:
         """Make this picture, and no other."""
         self._want(wish)
 
+    def compile_ahead(self, params: RealtimeParams, packing: Packing) -> None:
+        """Compile kernels of live frames before the next picture, those that come last first."""
+        with self._changed:
+            self._ahead = Ahead(params, packing)
+            self._changed.notify()
+
     def cancel(self) -> None:
         """Make no picture."""
         self._want(None)
@@ -116,30 +135,37 @@ class Background:
 
     def _serve(self):
         self._start()  # it takes a second or two, so before it is needed
-        while True:
+        while self._await_wish():
+            if self._ahead:
+                message, self._ahead = self._ahead, None
+                self._tried(partial(self._answered, message))
+                continue
             with self._changed:
-                self._changed.wait_for(lambda: self._wish or self._is_closed)
-                if self._is_closed:
-                    break
                 wish, number, self._wish = self._wish, self._wanted.value, None
                 self._working_on = number
-            self._fulfil(wish, number)
+            if wish:
+                self._fulfil(wish, number)
             self._working_on = None
         self._end()
 
+    def _await_wish(self):
+        with self._changed:
+            self._changed.wait_for(lambda: self._ahead or self._wish or self._is_closed)
+            return not self._is_closed
+
     def _fulfil(self, wish, number):
         self._tell(Working(wish.which, "started", ""))
-        answer = self._tried(wish, number)
+        answer = self._tried(partial(self._answer, wish, number))
         if answer is None and self._is_wanted(number):
-            answer = self._tried(wish, number) or Failed(
+            answer = self._tried(partial(self._answer, wish, number)) or Failed(
                 "the process in the background ended twice; try again"
             )
         self._report(wish, number, answer or Stopped())
 
-    def _tried(self, wish, number):
+    def _tried(self, ask):
         """What the process answers; None if it ended, and another was begun."""
         try:
-            return self._answer(wish, number)
+            return ask()
         except InputError as error:
             return Failed(str(error))
         except (EOFError, OSError):
@@ -187,6 +213,10 @@ class Background:
             if not isinstance(message, Going):
                 return message
             self._tell(Working(wish.which, "started", f"{message.done:.0%}"))
+
+    def _answered(self, message):
+        self._connection.send(message)
+        return self._connection.recv()
 
     def _await(self, number, is_compiling):
         """Wait for a message; kill a search that is unwanted and does not stop."""

@@ -3,6 +3,7 @@
 Nothing here runs beside the page: :mod:`stylit_ref.studio.engine.background` starts the process,
 sends it a :class:`Job` at a time, and hears a :class:`Going`, a :class:`Kernels` and at last one of
 the other messages. A shared number tells which job is wanted; a job that it does not name stops.
+Before the first job it may be sent :class:`Ahead`.
 """
 
 import logging
@@ -12,16 +13,18 @@ from collections.abc import Sequence
 from multiprocessing import parent_process
 from multiprocessing.connection import Connection
 from time import perf_counter
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
 from stylit_ref.machine.threads import sleep_while_waiting
-from stylit_ref.stylization.params import Params
-from stylit_ref.stylization.stylize import stylize
-from stylit_ref.stylization.warm_up import warm_up
+
+if TYPE_CHECKING:  # what takes a second is imported when the priority is low
+    from stylit_ref.realtime.packing import Packing
+    from stylit_ref.realtime.params import RealtimeParams
+    from stylit_ref.stylization.params import Params
 
 _NICENESS = 10
 _BETWEEN_NEWS = 0.2  # seconds
@@ -43,8 +46,21 @@ class Job(NamedTuple):
     number: int
     style: NDArray[np.uint8]
     guides: tuple[Sequence[NDArray[np.uint8]], Sequence[NDArray[np.uint8]]] | None
-    params: Params
+    params: "Params"
     seed: int
+
+
+class Ahead(NamedTuple):
+    """Kernels of live frames to compile from the last on, while the page does from the first on.
+
+    Attributes
+    ----------
+    params : RealtimeParams
+    packing : Packing
+    """
+
+    params: "RealtimeParams"
+    packing: "Packing"
 
 
 class Kernels(NamedTuple):
@@ -69,7 +85,7 @@ class Made(NamedTuple):
 
 
 class Stopped(NamedTuple):
-    """The job is no longer wanted."""
+    """There is no picture, since none is wanted."""
 
 
 class Failed(NamedTuple):
@@ -100,13 +116,28 @@ def work(connection: Connection, wanted: Any) -> None:
     try:
         while True:
             job = connection.recv()
-            guides = job.guides or guides
-            connection.send(_answer(job, guides, connection, wanted))
+            if isinstance(job, Ahead):
+                connection.send(_compiled(job))
+            else:
+                guides = job.guides or guides
+                connection.send(_answer(job, guides, connection, wanted))
     except (EOFError, OSError):
-        return
+        os._exit(0)  # at once: libraries would say at the end what they have not freed
+
+
+def _compiled(ahead):
+    from stylit_ref.machine.kernel import compile_missing
+    from stylit_ref.realtime.warm_up import kernels_of_frame
+
+    for kernel in reversed(kernels_of_frame(ahead.params, ahead.packing, warm=True)):
+        compile_missing([kernel])
+    return Stopped()
 
 
 def _answer(job, guides, connection, wanted):
+    from stylit_ref.stylization.stylize import stylize
+    from stylit_ref.stylization.warm_up import warm_up
+
     last_news = perf_counter()
 
     def heed():

@@ -10,6 +10,8 @@ from stylit_ref.errors import InputError
 from stylit_ref.files.field import Field
 from stylit_ref.files.realtime_field import RealtimeField
 from stylit_ref.machine.kernel import compile_missing
+from stylit_ref.realtime.packing import Packing
+from stylit_ref.realtime.params import RealtimeParams
 from stylit_ref.realtime.session import Session
 from stylit_ref.realtime.warm_up import kernels_of_frame
 from stylit_ref.studio.engine.events import Which
@@ -114,13 +116,19 @@ class Follower:
         self.painting = painting
         self._changes, self.serial = self._changes + 1, serial
 
-    def prepare(self, compiling: Callable[[int, int], None]) -> None:
+    def prepare(
+        self,
+        compiling: Callable[[int, int], None],
+        ahead: Callable[[RealtimeParams, Packing], None],
+    ) -> None:
         """Have a session that holds all as it is.
 
         Parameters
         ----------
         compiling : callable
             Called before each kernel that is compiled, with its number and how many there are.
+        ahead : callable
+            Called before the first of them: another process may begin with the last.
 
         Raises
         ------
@@ -133,7 +141,10 @@ class Follower:
         live = state.settings.live
         if ready is None or (ready.state.scene, ready.state.settings.live) != (state.scene, live):
             packed = pack_scene(state.scene, state.step, live)
-            compile_missing(kernels_of_frame(live, packed.packing, warm=True), compiling)
+            kernels = kernels_of_frame(live, packed.packing, warm=True)
+            if not all(kernel.is_compiled for kernel in kernels):
+                ahead(live, packed.packing)
+                compile_missing(kernels, compiling)
             self._ready = _Ready(state, packed, self._session_of(packed))
             return
         before, packed, session = ready

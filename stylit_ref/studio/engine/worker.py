@@ -54,8 +54,8 @@ class Worker:
 
     def stroke(self, change: Callable[[], None]) -> None:
         """Change the painting; a replay follows, and a frame when the brush rests."""
-        self._give_up()
         with self._changed:
+            self._give_up()
             self._changes.append(change)
             self._wants_replay = True
             # The first frame is not ended: without it there is no picture at all.
@@ -67,8 +67,8 @@ class Worker:
 
     def change(self, change: Callable[[], None], wanted: Wanted) -> None:
         """Change something else; a frame follows at once, or when one is wanted."""
-        self._give_up()
         with self._changed:
+            self._give_up()
             self._changes.append(change)
             self._wanted = wanted
             if self._is_searching:
@@ -109,13 +109,15 @@ class Worker:
         self.say(Picture(which, image, self._follower.serial, milliseconds))
 
     def begin(self, which: Literal["fast", "full"]) -> None:
-        """Begin a picture in the background."""
+        """Begin a picture in the background, unless it would be out of date already."""
         follower = self._follower
         wish = Wish(
             which, follower.painting.copy(), follower.scene, follower.step, follower.settings,
             follower.serial,
         )  # fmt: skip
-        self._background.begin(wish)
+        with self._changed:
+            if not self._changes:
+                self._background.begin(wish)
 
     def shown(self) -> Shown:
         """The picture that was shown last, steps and looks apart.
@@ -200,6 +202,6 @@ class Worker:
             compiled = total
             self.say(Compiling(_COMPILING, number - 1, total))
 
-        self._follower.prepare(compiling)
+        self._follower.prepare(compiling, self._background.compile_ahead)
         if compiled:
             self.say(Compiling(_COMPILING, compiled, compiled))

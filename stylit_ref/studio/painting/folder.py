@@ -70,6 +70,8 @@ class PaintingFolder:
     ----------
     folder : str or Path
         Need not exist yet.
+    within : PaintingFolder, optional
+        One that keeps the setting of this one, too.
 
     Attributes
     ----------
@@ -81,27 +83,54 @@ class PaintingFolder:
         If it can neither be written nor made.
     """
 
-    def __init__(self, folder: str | Path) -> None:
+    def __init__(self, folder: str | Path, within: "PaintingFolder | None" = None) -> None:
         check_folder(folder)
         self.folder: Path = Path(folder)
+        self._setting: Path = within._setting if within else self.folder / "studio.json"
 
     @property
     def style(self) -> Path:
         """The painting's file."""
         return self.folder / "style.png"
 
+    def of_size(self, size: tuple[int, int]) -> "PaintingFolder":
+        """A folder within this one, for a painting of another height and width."""
+        height, width = size
+        return PaintingFolder(self.folder / f"{width}x{height}", self)
+
+    def new_export(self) -> Path:
+        """A new folder for exported files, the next by its number.
+
+        Raises
+        ------
+        InputError
+            If it cannot be made.
+        """
+        folder = self._exports / f"{self._last_export + 1:03d}"
+        try:
+            folder.mkdir(parents=True)
+        except OSError as error:
+            raise InputError(f"{folder}: cannot be made: {error.strerror}") from None
+        return folder
+
+    def exported(self) -> Path:
+        """The folder of the last export, which need not be there."""
+        return self._exports / f"{self._last_export:03d}"
+
     @property
-    def exports(self) -> Path:
-        """Where exported files go."""
+    def _exports(self) -> Path:
         return self.folder / "exports"
+
+    @property
+    def _last_export(self) -> int:
+        if not self._exports.is_dir():
+            return 0
+        names = (each.name for each in self._exports.iterdir() if each.is_dir())
+        return max((int(name) for name in names if name.isdecimal()), default=0)
 
     @property
     def _beginning(self) -> Path:
         return self.folder / "beginning.png"
-
-    @property
-    def _setting(self) -> Path:
-        return self.folder / "studio.json"
 
     def load(self, size: tuple[int, int]) -> Saved | None:
         """What was saved; None in a folder without a painting.
@@ -126,7 +155,7 @@ class PaintingFolder:
             beginning = read_paint(self._beginning, size)
         except InputError:  # the eraser then brings back what is there now
             beginning = painting
-        return Saved(painting, beginning, self._load_setting())
+        return Saved(painting, beginning, self.setting())
 
     def save(self, saved: Saved) -> None:
         """Write the painting, then its setting, whose serial is never ahead of the paint.
@@ -171,8 +200,10 @@ class PaintingFolder:
         then = datetime.fromtimestamp(self.style.stat().st_mtime)
         return f"on {then:%Y-%m-%d} at {then:%H:%M}"
 
-    def _load_setting(self) -> Setting:
-        """The setting, or the usual one if the file is not of this version; a note says so."""
+    def setting(self) -> Setting:
+        """The setting, or the usual one if there is none of this version; a note says so."""
+        if not self._setting.is_file():
+            return Setting()
         try:
             facts = json.loads(self._setting.read_text(encoding="utf-8"))
             if not (isinstance(facts, dict) and facts.pop("version", None) == _VERSION):

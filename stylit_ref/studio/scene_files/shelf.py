@@ -1,4 +1,4 @@
-"""The scenes of a studio; all are painted on one painting."""
+"""The scenes of a studio."""
 
 from collections.abc import Iterator, Sequence
 
@@ -14,22 +14,10 @@ class Shelf:
     ----------
     offers : sequence of Offer
         At least one, each with a name of its own.
-
-    Raises
-    ------
-    InputError
-        If their sources differ in size.
     """
 
     def __init__(self, offers: Sequence[Offer]) -> None:
         self._offers = {offer.name: offer for offer in offers}
-        first = offers[0]
-        for offer in offers:
-            if offer.size != first.size:
-                raise InputError(
-                    f"{offer.title}: its source is {offer.size[1]}x{offer.size[0]}, and that of "
-                    f"{first.title} is {first.size[1]}x{first.size[0]}; open them one at a time"
-                )
 
     def __iter__(self) -> Iterator[Offer]:
         return iter(self._offers.values())
@@ -38,11 +26,6 @@ class Shelf:
     def first(self) -> Offer:
         """What a studio begins with."""
         return next(iter(self))
-
-    @property
-    def size(self) -> tuple[int, int]:
-        """Height and width of the painting."""
-        return self.first.size
 
     def offer(self, name: str) -> Offer:
         """A scene by its name.

@@ -56,7 +56,7 @@ def make_app(
         Route("/favicon.ico", _nothing),
         WebSocketRoute("/live", socket),
         thumbnail_route(beginning.shelf),
-        export_route(beginning.folder.exports),
+        export_route(beginning.folder),
         *(route for panel in panels for route in panel.routes),
     ]
     app = Starlette(

@@ -5,12 +5,12 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
 from stylit_ref.studio.engine.scene import Scene
 from stylit_ref.studio.painting.folder import PaintingFolder, Saved, Setting
 from stylit_ref.studio.painting.paint_file import read_paint
+from stylit_ref.studio.scene_files.offer import Offer
 from stylit_ref.studio.scene_files.shelf import Shelf
 
 
@@ -60,45 +60,54 @@ def begin(
         If a file cannot be read or has another size, or ``style`` would replace a painting.
     """
     notes: list[str] = []
-    saved = folder.load(shelf.size)
+    offer = _last_offer(shelf, folder.setting().scene, notes)
+    place = folder_of(offer, shelf, folder)
+    saved = place.load(offer.size)
     if saved is None:
-        painting = _first_painting(shelf, style)
-        saved = Saved(painting, painting, Setting())
+        painting = offer.rendering() if style is None else read_paint(style, offer.size)
+        saved = Saved(painting, painting, folder.setting())
     elif style is not None:
         raise InputError(
-            f"is to begin with, but {folder.folder} holds a painting; leave it out, or name "
+            f"is to begin with, but {place.folder} holds a painting; leave it out, or name "
             "another folder by --painting",
             parameter="style",
         )
     else:
-        notes.append(f"The painting in {folder.folder} is back; it was saved {folder.saved_when}.")
+        notes.append(f"The painting in {place.folder} is back; it was saved {place.saved_when}.")
     if watched is not None and Path(watched).exists():
-        painting = read_paint(watched, shelf.size)
-        if notes and not np.array_equal(painting, saved.painting):
-            kept = folder.keep(saved.painting)
+        painting = read_paint(watched, offer.size)
+        if place.style.exists() and not np.array_equal(painting, saved.painting):
+            kept = place.keep(saved.painting)
             notes = [f"The painting is that of {watched}; the one before it is kept as {kept}."]
         setting = replace(saved.setting, serial=saved.setting.serial + 1)
         saved = Saved(painting, saved.beginning, setting)
-    scene, setting = _opened(shelf, saved.setting, notes)
+    scene = _opened(offer, saved.setting, notes)
+    step = saved.setting.step if saved.setting.scene == offer.name else 0
+    setting = replace(saved.setting, scene=offer.name, step=step if step < scene.steps else 0)
     return Beginning(shelf, folder, replace(saved, setting=setting), scene, notes)
 
 
-def _first_painting(shelf: Shelf, style: str | Path | None) -> NDArray[np.uint8]:
-    if style is not None:
-        return read_paint(style, shelf.size)
-    return shelf.first.rendering()
+def folder_of(offer: Offer, shelf: Shelf, folder: PaintingFolder) -> PaintingFolder:
+    """Where the painting of a scene lies: within the folder, if its size is not the first one's."""
+    return folder if offer.size == shelf.first.size else folder.of_size(offer.size)
 
 
-def _opened(shelf: Shelf, setting: Setting, notes: list[str]) -> tuple[Scene, Setting]:
+def _last_offer(shelf: Shelf, name: str, notes: list[str]) -> Offer:
     """The scene that was open, or the first if that is not there any more."""
-    name = setting.scene or shelf.first.name
     try:
-        scene = shelf.open(name, setting.layers.get(name, ()))
+        return shelf.offer(name) if name else shelf.first
     except InputError as error:
-        if not setting.scene:
+        notes.append(f"The scene of last time is not here: {error}.")
+        return shelf.first
+
+
+def _opened(offer: Offer, setting: Setting, notes: list[str]) -> Scene:
+    """A scene with the layers that were picked, or the usual ones if they are not there."""
+    picked = setting.layers.get(offer.name, ())
+    try:
+        return offer.read(picked)
+    except InputError as error:
+        if not picked:
             raise
-        notes.append(f"The scene {name} of last time is not here: {error}.")
-        name = shelf.first.name
-        return shelf.open(name), replace(setting, scene=name, step=0)
-    step = setting.step if setting.step < scene.steps else 0
-    return scene, replace(setting, scene=name, step=step)
+        notes.append(f"The layers of last time are not here: {error}.")
+        return offer.read()

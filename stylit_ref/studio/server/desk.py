@@ -15,8 +15,10 @@ from stylit_ref.studio.engine.events import Event
 from stylit_ref.studio.engine.live import Live
 from stylit_ref.studio.engine.scene import Scene
 from stylit_ref.studio.painting.easel import Easel
+from stylit_ref.studio.painting.folder import Saved
+from stylit_ref.studio.scene_files.offer import Offer
 from stylit_ref.studio.server import protocol
-from stylit_ref.studio.server.beginning import Beginning
+from stylit_ref.studio.server.beginning import Beginning, folder_of
 from stylit_ref.studio.server.protocol import Paint, Wish, painting_bytes, said
 from stylit_ref.studio.server.telling import Telling
 from stylit_ref.studio.server.visitors import Visitor, Visitors
@@ -46,9 +48,8 @@ class Desk:
         self._loop = asyncio.get_running_loop()
         self._visitors = Visitors()
         self._telling = Telling(self._visitors)
-        saved = beginning.saved
-        self._easel = Easel(beginning.folder, saved, self.from_thread(self._tell_saved))
-        self._scene = beginning.scene
+        self._folder, saved, self._scene = beginning.folder, beginning.saved, beginning.scene
+        self._easel = self._new_easel(self._shelf.offer(self._scene.name), saved)
         tell = self.from_thread(self._telling.pass_on)
         self._live = engine(self._scene, saved.painting.copy(), tell, saved.setting.seed)
         self._restore()
@@ -112,10 +113,13 @@ class Desk:
         Parameters
         ----------
         painting : (H, W, 3) uint8
-            Of the painting's size.
+            Of another size if another scene has been chosen meanwhile.
         text : str
             Where it comes from, as a sentence.
         """
+        if painting.shape[:2] != self.size:
+            self._problem("The painting stays: it is of a scene of another size now.")
+            return
         try:
             kept = self._easel.replace(painting)
         except InputError as error:
@@ -154,7 +158,7 @@ class Desk:
             case protocol.Look(what):
                 live.look(what)
             case protocol.Export():
-                live.export(self._easel.folder.exports)
+                live.export(self._folder.new_export())
             case protocol.ChooseScene(name):
                 await self._open(name, setting.layers.get(name, ()))
             case protocol.Layers(names):
@@ -176,13 +180,36 @@ class Desk:
 
     async def _open(self, name: str, picked: Sequence[str]) -> None:
         """Open a scene, or the same one with other layers."""
-        scene = await asyncio.to_thread(self._shelf.open, name, picked)
-        self._live.choose_scene(scene)
-        self._scene = scene
-        layers = self._easel.setting.layers
-        self._set(scene=name, step=0, weights={}, layers={**layers, name: list(picked)})
-        told = panels_of_scene(self._shelf.offer(name), self._easel.setting)
-        self._visitors.say("scene", told)
+        offer = self._shelf.offer(name)
+        scene = await asyncio.to_thread(offer.read, picked)
+        layers = {**self._easel.setting.layers, name: list(picked)}
+        if offer.size == self.size:
+            self._live.choose_scene(scene)
+            self._scene = scene
+            self._set(scene=name, step=0, layers=layers)
+            self._visitors.say("scene", panels_of_scene(offer, self._easel.setting))
+            return
+        saved = await asyncio.to_thread(self._change_painting, offer)
+        self._live.choose_scene(scene, saved.painting.copy(), saved.setting.serial)
+        self._scene, self._easel = scene, self._new_easel(offer, saved)
+        self._set(scene=name, step=0, layers=layers)
+        for visitor in self._visitors:
+            self._welcome(visitor)
+
+    def _change_painting(self, offer: Offer) -> Saved:
+        """Save this painting, and load that of a source of another size."""
+        self._easel.close()
+        setting = self._easel.setting
+        saved = folder_of(offer, self._shelf, self._folder).load(offer.size)
+        setting = replace(setting, serial=setting.serial + 1)
+        if saved:
+            return replace(saved, setting=setting)
+        painting = offer.rendering()
+        return Saved(painting, painting, setting)
+
+    def _new_easel(self, offer: Offer, saved: Saved) -> Easel:
+        folder = folder_of(offer, self._shelf, self._folder)
+        return Easel(folder, saved, self.from_thread(self._tell_saved))
 
     def _set(self, **changes: Any) -> None:
         """Change the setting; readers are told all."""
@@ -193,10 +220,11 @@ class Desk:
 
     def _restore(self) -> None:
         """Bring back what was set; what a later version does not know is left out and told."""
-        setting = self._easel.setting
+        setting, known = self._easel.setting, self._scene.buffers
+        weights = {name: weight for name, weight in setting.weights.items() if name in known}
         for name, restore, values in (
             ("parameters", self._live.set_parameters, setting.parameters),
-            ("weights", self._live.set_weights, setting.weights),
+            ("weights", self._live.set_weights, weights),
         ):
             try:
                 if values:

@@ -1,23 +1,23 @@
 """Files that were exported, to be saved from the page."""
 
-from pathlib import Path
-
 from starlette.exceptions import HTTPException
 from starlette.requests import Request
 from starlette.responses import FileResponse
 from starlette.routing import Route
 
+from stylit_ref.studio.painting.folder import PaintingFolder
 
-def export_route(folder: Path) -> Route:
-    """``/export/FILE``: what lies in the folder itself, and nothing that a link leads to.
+
+def export_route(painting: PaintingFolder) -> Route:
+    """``/export/FILE``: what the last export has written, and nothing that a link leads to.
 
     Parameters
     ----------
-    folder : Path
+    painting : PaintingFolder
     """
 
     def answer(request: Request) -> FileResponse:
-        name = request.path_params["file"]
+        name, folder = request.path_params["file"], painting.exported()
         files = {file.name: file for file in folder.iterdir()} if folder.is_dir() else {}
         file = files.get(name)
         if file is None or file.is_symlink() or not file.is_file():

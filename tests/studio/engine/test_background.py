@@ -120,7 +120,6 @@ def test_a_scene_that_cannot_be_read_is_told(background, heard):
 
 
 def test_it_ends_with_its_owner():
-    background = Background(Ears(), [].append)
     heard = Ears()
     background = Background(heard, [].append)
     background.begin(wish())

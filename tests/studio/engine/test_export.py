@@ -34,14 +34,18 @@ def check(shown, folder):
     return exported.commands
 
 
+def prepare(follower):
+    follower.prepare(*[lambda *what: None] * 2)
+
+
 def framed(scene, settings=None, *, step=0, warm=False):
     follower = Follower(scene, make_painting(), settings or Settings(), threads=1)
     follower.step = 1 if warm else step
-    follower.prepare(lambda number, total: None)
+    prepare(follower)
     follower.frame(warm=False)
     if warm:
         follower.step = 0
-        follower.prepare(lambda number, total: None)
+        prepare(follower)
         assert follower.frame(warm=True)[0] == "warm"
     return follower
 
@@ -75,7 +79,7 @@ def test_a_replay_and_a_warm_frame_are_replayed(tmp_path):
     (line,) = check(follower.shown(), tmp_path / "warm")
     assert "stylit-ref replay" in line
     follower.paint(3, 4, STROKE, 1)
-    follower.prepare(lambda number, total: None)
+    prepare(follower)
     follower.replay()
     (line,) = check(follower.shown(), tmp_path / "replay")
     assert "stylit-ref replay" in line

@@ -28,7 +28,7 @@ def followed(settings=None, scene=None):
 
 
 def refresh(follower):
-    follower.prepare(lambda number, total: None)
+    follower.prepare(*[lambda *what: None] * 2)
 
 
 def cold(follower, weights=None):

@@ -29,6 +29,9 @@ class NoBackground:
     def cancel(self):
         self.is_busy = False
 
+    def compile_ahead(self, params, packing):
+        pass
+
     def close(self):
         pass
 

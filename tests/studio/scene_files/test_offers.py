@@ -9,7 +9,6 @@ from stylit_ref import InputError, read_image, write_image
 from stylit_ref.realtime.packing.stage import STAGE_BUFFERS
 from stylit_ref.studio.scene_files.layers_in import layers_in
 from stylit_ref.studio.scene_files.offer import offer_of_files
-from stylit_ref.studio.scene_files.shelf import Shelf
 
 
 def offered(folder, source_layers, target_layers):
@@ -60,14 +59,6 @@ def test_what_holds_no_images_is_refused(tmp_path, what):
     (tmp_path / "text.txt").write_text("no image")
     with pytest.raises(InputError, match=what):
         layers_in(tmp_path / what)
-
-
-def test_sources_of_several_sizes_are_refused(tmp_path):
-    one, other = (offered(tmp_path / name, ("FULL",), ("FULL",)) for name in ("one", "other"))
-    write_image(tmp_path / "other" / "source" / "FULL.png", np.zeros((9, 9, 3), np.uint8))
-    other = offer_of_files("other", tmp_path / "other" / "source", tmp_path / "other" / "it")
-    with pytest.raises(InputError, match="one at a time"):
-        Shelf([one, other])
 
 
 def test_layers_of_an_exr_are_picked_by_name(tmp_path):

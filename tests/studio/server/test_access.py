@@ -245,7 +245,7 @@ def test_no_path_leads_out_of_the_folders(studio):
 
 def test_exports_are_served_from_their_folder_alone(studio, tmp_path):
     found, run = studio
-    exports = tmp_path / "painting" / "exports"
+    exports = tmp_path / "painting" / "exports" / "003"
     assert run(found.get("/export/picture.png")).status == 404
     exports.mkdir(parents=True)
     (exports / "picture.png").write_bytes(b"picture")

@@ -7,10 +7,22 @@ import pytest
 from hostile.generated import generated
 from hypothesis import strategies as st
 from studio.server.opened import in_loop, opened
-from studio.small_studio import HEIGHT, SIZE, WIDTH, small_beginning
+from studio.small_studio import (
+    HEIGHT,
+    SIZE,
+    TARGET_SIZE,
+    WIDTH,
+    small_beginning,
+    small_shelf,
+    write_passes,
+)
 
 from stylit_ref import InputError, read_image, write_image
 from stylit_ref.studio.engine.events import Compiling, Problem, Working
+from stylit_ref.studio.painting.folder import PaintingFolder
+from stylit_ref.studio.scene_files.offer import offer_of_files
+from stylit_ref.studio.scene_files.shelf import Shelf
+from stylit_ref.studio.server.beginning import begin
 from stylit_ref.studio.server.protocol import parse_paint
 
 
@@ -148,6 +160,7 @@ async def test_wishes_reach_the_engine(tmp_path):
         page.say(do="step", operation="half")
         page.say(do="look", what="nnf")
         page.say(do="export")
+        page.say(do="export")
         page.say(do="scene", name="two")
         chosen = await page.said("scene")
         assert chosen["scene"] == "two"
@@ -158,8 +171,13 @@ async def test_wishes_reach_the_engine(tmp_path):
         assert "steps" in (await page.said("problem"))["text"]
         names = [name for name, *_ in found.engine.calls]
         assert names == ["begin", "set_parameters", "set_weights", "set_seed", "step", "look",
-                         "export", "choose_scene", "choose_scene"]  # fmt: skip
+                         "export", "export", "choose_scene", "choose_scene"]  # fmt: skip
         assert found.engine.calls[3] == ("set_seed", 5)
+        exports = tmp_path / "painting" / "exports"
+        assert [folder for _, folder in found.engine.calls[6:8]] == [
+            exports / "001",
+            exports / "002",
+        ]
         assert found.engine.calls[-1][1].buffers == ("FULL",)
 
 
@@ -218,8 +236,42 @@ async def test_a_setting_of_another_version_is_left_out_and_told(tmp_path):
     (tmp_path / "painting" / "studio.json").write_text('{"version": 1, "scene": "gone"}')
     async with opened(tmp_path) as found:
         notes = (await found.socket().hello())["notes"]
-        assert "gone" in notes[1]
+        assert "there is no scene 'gone'" in notes[0]
         assert found.engine.calls[0] == ("begin", "one", 0)
+
+
+@in_loop
+async def test_scenes_of_several_sizes_have_a_painting_each(tmp_path):
+    write_passes(tmp_path / "large", (30, 40))
+    write_passes(tmp_path / "three", TARGET_SIZE, seed=3)
+
+    def beginning():
+        offers = list(small_shelf(tmp_path))
+        offers.append(offer_of_files("three", tmp_path / "large", tmp_path / "three"))
+        return begin(Shelf(offers), PaintingFolder(tmp_path / "painting"))
+
+    async with opened(tmp_path, beginning=beginning()) as found:
+        page = found.socket()
+        await page.hello()
+        page.bytes(stroke(1))
+        page.say(do="scene", name="three")
+        welcome = await page.said("welcome")
+        assert (welcome["painting"]["width"], welcome["painting"]["height"]) == (40, 30)
+        assert found.engine.calls[-1][1].size == (30, 40)
+        page.bytes(stroke(8, 30, 20))
+        page.say(do="scene", name="two")
+        assert (await page.said("welcome"))["painting"]["serial"] == 9
+        while (shown := image_of(await page.shown(2)))[1] != 9:
+            pass
+        assert (shown[0][4:6, 3:8] == 200).all()
+        page.say(do="scene", name="three")
+        await page.said("welcome")
+    async with opened(tmp_path, beginning=beginning()) as found:
+        welcome = await found.socket().hello()
+        assert welcome["scene"] == "three"
+        assert (found.engine.painting[20:22, 30:35] == 200).all()
+    painting = read_image(tmp_path / "painting" / "style.png")
+    assert (painting[4:6, 3:8] == 200).all()
 
 
 def test_a_style_does_not_replace_a_painting(tmp_path):
