@@ -1462,9 +1462,13 @@
     for (const close of document.querySelectorAll("[data-close]"))
       close.onclick = () => close.closest("dialog")?.close();
     const views = byId("views-dialog");
+    const frame = byId("views");
     byId("views-open").onclick = () => {
-      byId("views").src = "/views/";
       views.showModal();
+      if (frame.src) return;
+      frame.src = "/views/";
+      byId("views-wait").hidden = false;
+      frame.onload = () => byId("views-wait").hidden = true;
     };
     return { togglePanels: () => button.click(), showHelp: () => help.showModal() };
   }
@@ -2061,7 +2065,10 @@
       const { canvas } = this.texture;
       const { width, height } = canvas;
       const image = canvas.getContext("2d", { alpha: false, willReadFrequently: true })?.getImageData(0, 0, width, height);
-      if (image) this.artist.texture = { width, height, pixels: new Uint32Array(image.data.buffer) };
+      if (!image) return;
+      this.artist.texture = { width, height, pixels: new Uint32Array(image.data.buffer) };
+      byId("texture-caption").textContent = "Texture";
+      byId("paints-texture").disabled = false;
     }
   };
 
