@@ -12,8 +12,9 @@ from threading import Thread
 import numpy as np
 from numpy.typing import NDArray
 
+from stylit_ref.cli.bundled_scenes import bundled_style
 from stylit_ref.errors import InputError
-from stylit_ref.files.disk.paths import check_writable, existing_file
+from stylit_ref.files.disk.paths import check_writable, existing_file, is_there
 from stylit_ref.notes import note
 from stylit_ref.studio.engine.events import Event
 from stylit_ref.studio.engine.live import Live
@@ -51,7 +52,10 @@ def serve_studio(options: argparse.Namespace, shelf: Shelf) -> None:
     _check_port(options.port)
     panels = _panels(options, shelf)
     folder = PaintingFolder(options.painting)
-    beginning = begin(shelf, folder, style=options.style, watched=options.watch)
+    style = options.style
+    if style and options.source is None and not is_there(style):
+        style = bundled_style(style) or style
+    beginning = begin(shelf, folder, style=style, watched=options.watch)
     if options.watch and not Path(options.watch).exists():
         check_writable(options.watch)
         write_paint(Path(options.watch), beginning.saved.painting)
