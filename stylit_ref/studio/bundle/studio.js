@@ -1735,7 +1735,7 @@
       this.parts.looks.offer(this.now, value);
     }
     tellStranger() {
-      const text = "The studio was started anew. Open the address that it printed: this page then goes on, with all you painted.";
+      const text = "The studio was started anew. Open the address that it printed; then take over here, and nothing that you painted is lost.";
       if (!this.parts.connection.isOpen) this.parts.notices.while("line", { text });
     }
     welcome(welcome) {
