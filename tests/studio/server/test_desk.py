@@ -193,7 +193,8 @@ async def test_what_the_engine_refuses_is_a_sentence(tmp_path):
         await page.hello()
         page.say(do="parameters", values={"levels": 0})
         text = (await page.said("problem"))["text"]
-        assert text == "levels is 0; it must be an integer from 1 to 12"
+        assert text == "levels is 0; it must be an integer from 1 to 12."
+        assert (await page.said("scene"))["parameters"]["values"]["levels"] == 6
         page.say(do="scene", name="three")
         assert "no scene 'three'" in (await page.said("problem"))["text"]
 
