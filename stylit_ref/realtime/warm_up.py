@@ -3,7 +3,7 @@
 import numpy as np
 
 from stylit_ref.machine.kernel import Specialization, rehearsal
-from stylit_ref.realtime.packing import Packing, pack
+from stylit_ref.realtime.packing import Packing, PrincipalPacking, pack
 from stylit_ref.realtime.params import RealtimeParams
 from stylit_ref.realtime.session import Session
 
@@ -28,7 +28,10 @@ def kernels_of_frame(
         In the order of their first calls.
     """
     side = 4 * params.patch_width
-    buffers = {name: np.zeros((side, side, 3), np.uint8) for name in packing.names}
+    channels = dict(packing.buffers) if isinstance(packing, PrincipalPacking) else {}
+    buffers = {
+        name: np.zeros((side, side, channels.get(name, 3)), np.uint8) for name in packing.names
+    }
     with rehearsal() as rehearsed:
         guides, labels = pack(packing, buffers)
         session = Session(params, threads=1)
