@@ -1,6 +1,7 @@
 """Parameters of stylization in real time."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 from stylit_ref.errors import InputError
@@ -61,6 +62,11 @@ class RealtimeParams:
     renewal_level : int
         The level of a warm frame whose matches, searched from nothing, replace those of the last
         frame that have grown old; 0 for none.
+    warm_mu : int
+        μ at level 0 of a warm frame; in scale space that of ``mu``, which the records are made for.
+        A search by style alone would hold on to matches that have grown old.
+    warm_radius : int
+        The largest radius of the random search at level 0 of a warm frame.
     dense_finish : bool
         Give every pixel the best match of the entries around it at the end, and average all patches
         over it: less energy, but slower. Not with ``scale_space``.
@@ -104,6 +110,12 @@ class RealtimeParams:
         "level of a warm frame that is searched anew, to replace matches that have grown old; 0 "
         "for none",
     )  # fmt: skip
+    warm_mu: int = parameter(
+        2, Integer(0, MU_ONE), "weight of the style in sixteenths at the finest level, in warm frames"
+    )
+    warm_radius: int = parameter(
+        16, Integer(0, EVERYWHERE), "largest search radius at the finest level, in warm frames"
+    )
     dense_finish: bool = parameter(False, Flag(), "end with a match for every pixel; slower")
     labels: bool = parameter(True, Flag(), "match only pixels of the same label")
     packing: str = parameter(
@@ -161,6 +173,20 @@ class RealtimeParams:
     def radius_at(self, level: int, height: int, width: int) -> int:
         """Largest radius of the random search in a source of ``height`` x ``width`` pixels."""
         return min(max(height, width) // 2, _at(self.radii, level))
+
+    @property
+    def of_warm_frames(self) -> "RealtimeParams":
+        """Those by which a warm frame searches: coarse levels serve renewal alone, and do half."""
+        mu, iterations, radii = (
+            [at(level) for level in range(self.levels)]
+            for at in (self.mu_at, self.iterations_at, partial(_at, self.radii))
+        )
+        return replace(
+            self,
+            mu=tuple(mu if self.scale_space else [self.warm_mu, *mu[1:]]),
+            iterations=(iterations[0], *((count + 1) // 2 for count in iterations[1:])),
+            radii=(self.warm_radius, *radii[1:]),
+        )
 
     @property
     def renewed_from(self) -> int:
