@@ -153,4 +153,3 @@ def of_every_pixel(entries, step, size, source_size):
         axis=2,
     )
     return (entries[rows, columns] + offsets).clip(0, np.array(source_size) - 1).astype(np.int32)
-

@@ -183,6 +183,7 @@ def _dense_nnf(passes, parameters, arrays):
     passes.make_dense_nnf(params.patch_width, params.step, lanes)(
         entries_of(arrays["nnf"]), level.exemplar.read_at(0, layout), guides, style,
         level.refinement.by_level[0], labels, level.exemplar.labels[0], dense,
+        np.zeros(1, np.uint8),
     )  # fmt: skip
     return {"dense": places_of(dense)}
 
@@ -191,7 +192,9 @@ def _vote(passes, parameters, arrays):
     params = params_of(parameters)
     style = style_image(passes, arrays["source_style"], Layout(params, 1, passes))
     picture = np.empty((*arrays["dense"].shape[:2], 3), np.uint8)
-    passes.make_vote(params.patch_width)(entries_of(arrays["dense"]), style, picture)
+    passes.make_vote(params.patch_width)(
+        entries_of(arrays["dense"]), style, picture, np.zeros(1, np.uint8)
+    )
     return {"picture": picture}
 
 

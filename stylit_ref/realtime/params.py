@@ -111,7 +111,9 @@ class RealtimeParams:
         "for none",
     )  # fmt: skip
     warm_mu: int = parameter(
-        2, Integer(0, MU_ONE), "weight of the style in sixteenths at the finest level, in warm frames"
+        2,
+        Integer(0, MU_ONE),
+        "weight of the style in sixteenths at the finest level, in warm frames",
     )
     warm_radius: int = parameter(
         16, Integer(0, EVERYWHERE), "largest search radius at the finest level, in warm frames"

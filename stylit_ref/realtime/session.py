@@ -304,9 +304,9 @@ class Session:
                         # Coarser levels may be those of another target.
                         refine(exemplar, target, refinement, nnf[:1], 0, seed, self._stop)
                     self._heed_cancel()
-                dense = self._dense_of(nnf[0]) if self.params.dense_finish else None
+                dense = self._dense_of(nnf[0], self._stop) if self.params.dense_finish else None
                 self._heed_cancel()
-                picture = self._blended(nnf[0]) if dense is None else self._voted(dense)
+                picture = self._blended(nnf[0]) if dense is None else self._voted(dense, self._stop)
                 self._heed_cancel()
             self._nnf, self._has_frame, self._dense = nnf, True, dense
             self.seed = seed
@@ -326,7 +326,7 @@ class Session:
         with self._turn():
             self._needs_frame()
             if self.params.dense_finish:
-                return self._voted(self._finished())
+                return self._voted(self._finished(), np.zeros(1, np.uint8))
             return self._blended(self._nnf[0])
 
     def dense_nnf(self) -> NDArray[np.int32]:
@@ -354,10 +354,7 @@ class Session:
             return places_of(self._finished())
 
     def cancel(self) -> None:
-        """End the frames that other threads compute or wait for, with :class:`FrameCancelledError`.
-
-        A search ends at once; ``dense_finish`` is a pass that is done to its end.
-        """
+        """End frames that other threads compute or wait for, by :class:`FrameCancelledError`."""
         self._cancelled += 1
         self._stop[0] = 1
 
@@ -407,13 +404,14 @@ class Session:
         return picture
 
     def _finished(self):
+        never = np.zeros(1, np.uint8)
         if not self.params.dense_finish:
-            return self._dense_of(self._nnf[0])
+            return self._dense_of(self._nnf[0], never)
         if self._dense is None:
-            self._dense = self._dense_of(self._nnf[0])
+            self._dense = self._dense_of(self._nnf[0], never)
         return self._dense
 
-    def _dense_of(self, nnf):
+    def _dense_of(self, nnf, stop):
         exemplar, target, params = self._needs_exemplar(), self._needs_target(), self.params
         lanes = exemplar.layout.lanes_read(0)
         self._passes.make_blend(params.patch_width, params.step, STYLE_LANES)(
@@ -426,14 +424,14 @@ class Session:
         self._passes.make_dense_nnf(params.patch_width, params.step, lanes)(
             nnf, exemplar.read_at(0, exemplar.layout), guides, picture,
             self._refinements.cold.by_level[0], labels,
-            exemplar.labels[0], dense,
+            exemplar.labels[0], dense, stop,
         )  # fmt: skip
         return dense
 
-    def _voted(self, dense):
+    def _voted(self, dense, stop):
         picture = np.empty((*dense.shape, 3), np.uint8)
         style = self._needs_exemplar().style[0]
-        self._passes.make_vote(self.params.patch_width)(dense, style, picture)
+        self._passes.make_vote(self.params.patch_width)(dense, style, picture, stop)
         return picture
 
     def _target_of(self, size, channels):
