@@ -105,7 +105,7 @@ def make_dense_nnf(width: int, step: int, lanes: int) -> Callable[..., None]:
 def make_vote(width: int) -> Callable[..., None]:
     """Build ``vote(nnf, style, out, stop)``: the mean of all patches over a pixel.
 
-    ``out`` is (height, width, 3) uint8; once ``stop``, (1,) uint8, is not 0, no further row is made.
+    ``out`` is (height, width, 3) uint8; once ``stop``, (1,) uint8, is not 0, no row is made.
     """
     radius = width // 2
 
