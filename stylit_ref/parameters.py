@@ -13,6 +13,15 @@ import numpy as np
 
 from stylit_ref.errors import InputError, shown
 
+SPELLED = {
+    "patch_width": "--patch-size",
+    "levels": "--pyramid-levels",
+    "votes": "--search-vote-iters",
+    "patchmatch_iterations": "--patchmatch-iters",
+}
+"""Options of ``run`` that are not spelled as their parameters, but as users of ebsynth and StyLit
+know them."""
+
 
 def parameter(default: Any, kind: Any, text: str) -> Any:
     """Make a field of a class of parameters.
@@ -38,6 +47,18 @@ def check_fields(params: Any) -> None:
     for each in fields(params):
         value = each.metadata["kind"].check(each.name, getattr(params, each.name))
         object.__setattr__(params, each.name, value)
+
+
+def option_words(name: str, value: Any) -> list[str]:
+    """A parameter as the command line of ``run`` gives it: its option, and what it reads as value.
+
+    Parameters
+    ----------
+    name : str
+    value
+        Any but None, which no option gives.
+    """
+    return [SPELLED.get(name, f"--{name.replace('_', '-')}"), _text_of(value)]
 
 
 @dataclass(frozen=True)
@@ -246,6 +267,14 @@ class Optional:
     def placeholder(self) -> str:
         """What stands for a value in a help text."""
         return self.kind.placeholder
+
+
+def _text_of(value):
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, tuple):
+        return ",".join(map(_text_of, value))
+    return str(int(value)) if isinstance(value, float) and value.is_integer() else str(value)
 
 
 def _is_sequence(value):

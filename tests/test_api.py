@@ -13,7 +13,7 @@ import pytest
 import stylit_ref
 from stylit_ref import Params
 from stylit_ref.cli import make_parser
-from stylit_ref.cli.method_options import SPELLED
+from stylit_ref.parameters import SPELLED
 
 
 def test_every_public_name_is_there():

@@ -9,16 +9,9 @@ from stylit_ref.cli.guide_options import guide_weights
 from stylit_ref.cli.methods import OFFERS, made_params, offer_of
 from stylit_ref.cli.parameter_options import add_parameter
 from stylit_ref.errors import InputError
+from stylit_ref.parameters import SPELLED
 from stylit_ref.realtime.params import RealtimeParams
 from stylit_ref.stylization.params import PRESETS, Params
-
-SPELLED = {
-    "patch_width": "--patch-size",
-    "levels": "--pyramid-levels",
-    "votes": "--search-vote-iters",
-    "patchmatch_iterations": "--patchmatch-iters",
-}
-"""Options that are not spelled as their parameters: users of ebsynth and StyLit know them so."""
 
 _DENSE_PRESETS = (
     "final: the finished picture; fast: a preview, close to the eye, a thirteenth of the work; "

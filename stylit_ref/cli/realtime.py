@@ -2,7 +2,7 @@
 
 import argparse
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from time import perf_counter
 from typing import NamedTuple
@@ -15,7 +15,7 @@ from stylit_ref.cli.finished import tell_finished
 from stylit_ref.cli.guide_options import guide_files
 from stylit_ref.cli.images_in import paths_in, read_images
 from stylit_ref.cli.progress_line import ProgressLine
-from stylit_ref.cli.realtime_buffers import Buffers, named_buffers, weights_of
+from stylit_ref.cli.realtime_buffers import buffers_of_files, weights_of
 from stylit_ref.errors import InputError
 from stylit_ref.files.colour.profile import read_colour_profile
 from stylit_ref.files.disk.paths import check_distinct
@@ -28,13 +28,16 @@ from stylit_ref.notes import note
 from stylit_ref.realtime.checks import check_sides
 from stylit_ref.realtime.packing import (
     Packing,
-    PrincipalPacking,
     StagePacking,
     UnpackedStage,
     choose_packing,
     pack,
 )
-from stylit_ref.realtime.packing.stage import CAST_SHADOW
+from stylit_ref.realtime.packing.named_buffers import (
+    NamedBuffers,
+    find_unknown_thing,
+    read_by,
+)
 from stylit_ref.realtime.params import RealtimeParams
 from stylit_ref.realtime.replaying import replay_dense, replay_realtime
 from stylit_ref.realtime.session import Session
@@ -65,7 +68,7 @@ def run_realtime(options: argparse.Namespace, params: RealtimeParams) -> None:
         images = read_images(options)
         style = _in_colour(options.style, images.style)
         files = guide_files(options)
-        buffers = named_buffers(files, images)
+        buffers = buffers_of_files(files, images)
         before = _field_before(options.warm_start, params, style, images.target_guides[0])
     check_image_writable(options.output, images.style.shape[2])
     if options.nnf:
@@ -81,7 +84,7 @@ def run_realtime(options: argparse.Namespace, params: RealtimeParams) -> None:
             compile_missing(kernels_of_frame(params, packing), line.compiling)
         with profile.stage("packing and search"):
             frame = realtime_frame(
-                style, buffers, packing, params,
+                style, buffers, packing, params, [target for _, target in files],
                 weights=weights, before=before, seed=options.seed, threads=options.threads,
             )  # fmt: skip
     field = RealtimeField(
@@ -106,9 +109,10 @@ def run_realtime(options: argparse.Namespace, params: RealtimeParams) -> None:
 
 def realtime_frame(
     style: NDArray[np.uint8],
-    buffers: Buffers,
+    buffers: NamedBuffers,
     packing: Packing,
     params: RealtimeParams,
+    files: Sequence[str],
     *,
     weights: Sequence[int] | None = None,
     before: RealtimeField | None = None,
@@ -120,9 +124,11 @@ def realtime_frame(
     Parameters
     ----------
     style : (H_A, W_A, 3) uint8
-    buffers : Buffers
+    buffers : NamedBuffers
     packing : Packing
     params : RealtimeParams
+    files : sequence of str
+        The target's, of every guide, for a refusal.
     weights : sequence of int, optional
         One for each channel of the packing.
     before : RealtimeField, optional
@@ -135,10 +141,10 @@ def realtime_frame(
     InputError
         If the target has what the source lacks.
     """
-    source, labels = pack(packing, _read_by(packing, buffers.source))
-    target, target_labels = pack(packing, _read_by(packing, buffers.target))
+    source, labels = pack(packing, read_by(packing, buffers.source))
+    target, target_labels = pack(packing, read_by(packing, buffers.target))
     if params.labels:
-        _check_labels(labels, target_labels, packing, buffers)
+        _check_labels(labels, target_labels, packing, buffers, files)
     session = Session(params, seed=seed, threads=threads)
     session.set_exemplar(source, style, labels)
     session.set_target(target, target_labels)
@@ -215,30 +221,26 @@ def _told(value):
     return f"{value[1]}x{value[0]}" if isinstance(value, tuple) else str(value)
 
 
-def _read_by(
-    packing: Packing, buffers: Mapping[str, NDArray[np.uint8]]
-) -> dict[str, NDArray[np.uint8]]:
-    return {name: buffers[name] for name in packing.names}
-
-
-def _tell_unread(packing: Packing, buffers: Buffers) -> None:
+def _tell_unread(packing: Packing, buffers: NamedBuffers) -> None:
     unread = [name for name in buffers.source if name not in packing.names]
     if unread:
         note(f"has no use for {', '.join(unread)}; pca reads all guides", parameter="packing")
 
 
 def _check_labels(
-    source: NDArray[np.uint8], target: NDArray[np.uint8], packing: Packing, buffers: Buffers
+    source: NDArray[np.uint8],
+    target: NDArray[np.uint8],
+    packing: Packing,
+    buffers: NamedBuffers,
+    files: Sequence[str],
 ) -> None:
     """Refuse a thing in the target that the source does not show."""
-    unknown = ~np.isin(target, np.unique(source))
-    if unknown.any():
-        y, x = np.argwhere(unknown)[0]
-        of_stage = not isinstance(packing, PrincipalPacking)
-        role = "LIGHTMASK" if of_stage and target[y, x] == CAST_SHADOW else "IDMASK"
-        colour = ", ".join(map(str, buffers.target[role][y, x]))
-        name = Path(buffers.files[role]).as_posix()
+    thing = find_unknown_thing(source, target, packing, buffers.target)
+    if thing:
+        colour = ", ".join(map(str, thing.colour))
+        name = Path(files[buffers.guide_of[thing.buffer]]).as_posix()
         raise InputError(
-            f"{name}: the pixel at x {x}, y {y}, of the colour {colour}, belongs to a thing that "
-            "the source does not show; add it there, or let paint go anywhere with --labels no"
+            f"{name}: the pixel at x {thing.x}, y {thing.y}, of the colour {colour}, belongs to a "
+            "thing that the source does not show; add it there, or let paint go anywhere with "
+            "--labels no"
         )

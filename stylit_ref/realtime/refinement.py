@@ -1,7 +1,8 @@
 """What a level does (algorithms 4 and 5): begin with the level above, then search and blend."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -79,6 +80,24 @@ class Refinements(NamedTuple):
         return cls(Refinement(layout, weights), Refinement(warm, weights))
 
 
+class Operation(NamedTuple):
+    """One of those that make a frame.
+
+    Attributes
+    ----------
+    name : {"upsample", "blend", "half"}
+        Begin a level, blend B', or search half of the entries (figure 20).
+    level : int
+        0 is the finest.
+    iteration : int
+        Iterations of the level that are done before it.
+    """
+
+    name: Literal["upsample", "blend", "half"]
+    level: int
+    iteration: int
+
+
 _FEW_ENTRIES = 1000
 
 
@@ -113,6 +132,26 @@ def refine(
 
     ``nnf`` ends with this level where B' begins with a vote in any case.
     """
+    for _ in refining(exemplar, target, refinement, nnf, level, seed, stop):
+        pass
+
+
+def refining(
+    exemplar: Exemplar,
+    target: Target,
+    refinement: Refinement,
+    nnf: list[NDArray[np.int32]],
+    level: int,
+    seed: int,
+    stop: NDArray[np.uint8],
+) -> Iterator[Operation]:
+    """What :func:`refine` does, an operation at a time.
+
+    Yields
+    ------
+    Operation
+        What comes next; it is done when the one after it is asked for.
+    """
     layout = refinement.layout
     passes, params = layout.passes, layout.params
     search = passes.make_search(*layout.patch_shape, layout.lanes_read(level))
@@ -123,6 +162,8 @@ def refine(
     radius = params.radius_at(level, *exemplar.sizes[level])
     iterations = params.iterations_at(level)
     reads_style = params.reads_style(level)
+    if reads_style:
+        yield Operation("blend", level, 0)
     if reads_style and (params.start == "vote" or level + 1 == len(nnf)):
         blend(nnf[level], style, target.picture[level])
     elif reads_style:
@@ -132,6 +173,7 @@ def refine(
         if reads_style:
             target.picture_changed(level)
         for parity in range(2):
+            yield Operation("half", level, iteration)
             stream = random_stream(seed, REALTIME_SEARCH, level, iteration, parity)
             search(
                 nnf[level], source, guides, picture, refinement.by_level[level], grid, stream,
@@ -140,6 +182,7 @@ def refine(
         if stop[0]:
             return
         if reads_style and iteration + 1 < iterations:
+            yield Operation("blend", level, iteration + 1)
             blend(nnf[level], style, target.picture[level])
 
 

@@ -11,7 +11,7 @@ from stylit_ref.errors import InputError
 from stylit_ref.machine.free_threads import FreeThreads
 from stylit_ref.machine.replaced import Passes
 from stylit_ref.machine.thread_count import check_threads, using_threads
-from stylit_ref.machine.vector_patch import STYLE_LANES
+from stylit_ref.parameters import Integer
 from stylit_ref.randomness.seed import check_seed
 from stylit_ref.realtime import passes as cpu_passes
 from stylit_ref.realtime.checks import (
@@ -25,9 +25,9 @@ from stylit_ref.realtime.checks import (
 from stylit_ref.realtime.exemplar import Exemplar
 from stylit_ref.realtime.formulae.grid import first_centre, last_centre
 from stylit_ref.realtime.formulae.packed_nnf import entries_of, places_of
+from stylit_ref.realtime.frame_inputs import FrameInputs
 from stylit_ref.realtime.layout import Layout
 from stylit_ref.realtime.params import RealtimeParams, as_realtime_params
-from stylit_ref.realtime.passes.image import Image
 from stylit_ref.realtime.refinement import (
     Refinements,
     refine,
@@ -124,7 +124,7 @@ class Session:
         size = guides.shape[:2]
         style = np.ascontiguousarray(check_style(style, size))
         labels = check_labels(labels if self.params.labels else None, size, "source_labels")
-        with self._turn():
+        with self.turn():
             if self._target is not None:
                 self._check_pair(
                     guides.shape[2], self._target.layout.channels, "source_guides",
@@ -156,7 +156,7 @@ class Session:
         InputError
             If it does not fit the source guides.
         """
-        with self._turn():
+        with self.turn():
             exemplar = self._needs_exemplar()
             exemplar.set_style(np.ascontiguousarray(check_style(style, exemplar.size)))
             exemplar.join()
@@ -179,7 +179,7 @@ class Session:
             If they do not fit the source.
         """
         guides = np.ascontiguousarray(check_guides(guides, "target_guides"))
-        with self._turn():
+        with self.turn():
             target = self._target_of(guides.shape[:2], guides.shape[2])
             labels = self._checked_labels(labels, target)
             target.set_guides(guides)
@@ -204,7 +204,7 @@ class Session:
         """
         size = height, width
         check_sides(size, "target_guides")
-        with self._turn():
+        with self.turn():
             layout = self._needs_exemplar().layout
             known = self._viewed
             if known is None or (known.size, known.layout) != (size, layout):
@@ -219,7 +219,7 @@ class Session:
         InputError
             If the labels do not fit, or there is no view.
         """
-        with self._turn():
+        with self.turn():
             target, layout = self._viewed, self._needs_exemplar().layout
             if target is None or target.layout != layout:
                 raise InputError(
@@ -238,7 +238,7 @@ class Session:
         InputError
             If there are not as many as channels, or they are too large.
         """
-        with self._turn():
+        with self.turn():
             layout = self._needs_exemplar().layout
             self._refinements = Refinements.of(layout, check_weights(weights, layout.channels))
             self._kept = None
@@ -267,7 +267,7 @@ class Session:
             If there is no source or target, or no frame that a warm one can start from.
         """
         cancelled = self._cancelled
-        with self._turn():
+        with self.turn():
             exemplar, target = self._needs_exemplar(), self._needs_target()
             if seed is None:
                 seed = self.seed
@@ -304,9 +304,10 @@ class Session:
                         # Coarser levels may be those of another target.
                         refine(exemplar, target, refinement, nnf[:1], 0, seed, self._stop)
                     self._heed_cancel()
-                dense = self._dense_of(nnf[0], self._stop) if self.params.dense_finish else None
+                inputs, stop = self.inputs, self._stop
+                dense = inputs.dense_nnf(nnf[0], stop) if self.params.dense_finish else None
                 self._heed_cancel()
-                picture = self._blended(nnf[0]) if dense is None else self._voted(dense, self._stop)
+                picture = inputs.blended(nnf[0]) if dense is None else inputs.voted(dense, stop)
                 self._heed_cancel()
             self._nnf, self._has_frame, self._dense = nnf, True, dense
             self.seed = seed
@@ -316,6 +317,11 @@ class Session:
                 self._kept = None
             return picture
 
+    @property
+    def has_frame(self) -> bool:
+        """Whether there is a frame that a warm one, or a replay, can start from."""
+        return self._has_frame
+
     def replay(self) -> NDArray[np.uint8]:
         """B' from the last frame's NNF and the style as it is: at once, while someone paints.
 
@@ -323,11 +329,30 @@ class Session:
         -------
         (height, width, 3) uint8
         """
-        with self._turn():
+        with self.turn():
             self._needs_frame()
             if self.params.dense_finish:
-                return self._voted(self._finished(), np.zeros(1, np.uint8))
-            return self._blended(self._nnf[0])
+                return self.inputs.voted(self._finished())
+            return self.inputs.blended(self._nnf[0])
+
+    def picture_at(self, level: int) -> NDArray[np.uint8]:
+        """B' of a level of the pyramid, blended from its matches as they are; 0 is the finest.
+
+        Levels that the last frame left out show what an earlier one found.
+
+        Returns
+        -------
+        (height, width, 3) uint8
+
+        Raises
+        ------
+        InputError
+            If there is no frame, or no such level.
+        """
+        Integer(0, self.params.levels - 1).check("level", level)
+        with self.turn():
+            self._needs_frame()
+            return self.inputs.blended(self._nnf[level], level)
 
     def dense_nnf(self) -> NDArray[np.int32]:
         """The last frame's NNF with a match for every pixel: y and x of the source.
@@ -344,7 +369,7 @@ class Session:
         InputError
             If there is no frame, or the parameters have ``scale_space``.
         """
-        with self._turn():
+        with self.turn():
             self._needs_frame()
             if self.params.scale_space:
                 raise InputError(
@@ -364,13 +389,13 @@ class Session:
 
         Set it to start the next warm frame from it.
         """
-        with self._turn():
+        with self.turn():
             self._needs_frame()
             return places_of(self._nnf[0])
 
     @nnf.setter
     def nnf(self, nnf: NDArray[np.int32]) -> None:
-        with self._turn():
+        with self.turn():
             exemplar, target = self._needs_exemplar(), self._needs_target()
             margin = exemplar.layout.margin
             first, last = (
@@ -383,11 +408,25 @@ class Session:
             self._has_frame, self._dense = True, None
 
     @contextmanager
-    def _turn(self) -> Iterator[None]:
+    def turn(self) -> Iterator[None]:
+        """Let this session alone compute while the block runs, with its number of threads."""
         with _TURN:
             threads = self._free_threads.number if self._threads is None else self._threads
             with using_threads(threads):
                 yield
+
+    @property
+    def inputs(self) -> FrameInputs:
+        """What the next cold frame is made of.
+
+        Raises
+        ------
+        InputError
+            If there is no source or target.
+        """
+        return FrameInputs(
+            self._needs_exemplar(), self._needs_target(), self._refinements.cold, self._labels
+        )
 
     def _threads_for(self, kind):
         return self._free_threads.frame(kind) if self._threads is None else nullcontext()
@@ -396,43 +435,12 @@ class Session:
         if self._stop[0]:
             raise FrameCancelledError("the frame was cancelled")
 
-    def _blended(self, nnf):
-        exemplar, target, params = self._needs_exemplar(), self._needs_target(), self.params
-        picture = np.empty((*target.size, 3), np.uint8)
-        out = Image(picture.reshape(-1), target.size[1], 0, *target.size)
-        self._passes.make_blend(params.patch_width, params.step, 3)(nnf, exemplar.style[0], out)
-        return picture
-
     def _finished(self):
-        never = np.zeros(1, np.uint8)
         if not self.params.dense_finish:
-            return self._dense_of(self._nnf[0], never)
+            return self.inputs.dense_nnf(self._nnf[0])
         if self._dense is None:
-            self._dense = self._dense_of(self._nnf[0], never)
+            self._dense = self.inputs.dense_nnf(self._nnf[0])
         return self._dense
-
-    def _dense_of(self, nnf, stop):
-        exemplar, target, params = self._needs_exemplar(), self._needs_target(), self.params
-        lanes = exemplar.layout.lanes_read(0)
-        self._passes.make_blend(params.patch_width, params.step, STYLE_LANES)(
-            nnf, exemplar.style[0], target.picture[0]
-        )
-        guides, picture, _ = target.read_at(0, exemplar.layout)
-        none = np.zeros((0, 0), np.uint8)
-        labels = none if self._labels is None else self._labels
-        dense = np.empty(target.size, np.int32)
-        self._passes.make_dense_nnf(params.patch_width, params.step, lanes)(
-            nnf, exemplar.read_at(0, exemplar.layout), guides, picture,
-            self._refinements.cold.by_level[0], labels,
-            exemplar.labels[0], dense, stop,
-        )  # fmt: skip
-        return dense
-
-    def _voted(self, dense, stop):
-        picture = np.empty((*dense.shape, 3), np.uint8)
-        style = self._needs_exemplar().style[0]
-        self._passes.make_vote(self.params.patch_width)(dense, style, picture, stop)
-        return picture
 
     def _target_of(self, size, channels):
         layout = self._needs_exemplar().layout

@@ -8,7 +8,9 @@ from stylit_ref.realtime.params import RealtimeParams
 from stylit_ref.realtime.session import Session
 
 
-def kernels_of_frame(params: RealtimeParams, packing: Packing) -> list[Specialization]:
+def kernels_of_frame(
+    params: RealtimeParams, packing: Packing, *, warm: bool = False
+) -> list[Specialization]:
     """The kernels that a cold frame calls, packing included.
 
     They are found out by a small frame in which they do nothing.
@@ -17,6 +19,8 @@ def kernels_of_frame(params: RealtimeParams, packing: Packing) -> list[Specializ
     ----------
     params : RealtimeParams
     packing : Packing
+    warm : bool
+        Whether those of a warm frame are wanted too.
 
     Returns
     -------
@@ -31,4 +35,6 @@ def kernels_of_frame(params: RealtimeParams, packing: Packing) -> list[Specializ
         session.set_exemplar(guides, np.zeros((side, side, 3), np.uint8), labels)
         session.set_target(guides, labels)
         session.frame()
+        if warm:
+            session.frame(warm=True)
     return list(rehearsed)
