@@ -216,9 +216,7 @@ _THESIS = {
 
 REALTIME_PRESETS: dict[str, dict[str, Any]] = {
     "best": {},
-    "quick": {
-        "mu": (16, 4, 4, 4, 0), "iterations": (1, 2, 2, 4, 8), "radii": (0, 4, 16, EVERYWHERE),
-    },
+    "quick": {"mu": (16, 4, 4, 4, 0), "radii": (0, 4, 16, EVERYWHERE)},
     "simple": _THESIS,
     "optimized": {**_THESIS, "scale_space": True},
 }  # fmt: skip
