@@ -91,11 +91,11 @@ class RealtimeParams:
         "sums", Choice(TERMS), "how channels count: as sums, or as the mean of each term"
     )
     iterations: tuple[int, ...] = parameter(
-        (1, 3, 4, 8), Several(Integer(0, 1000), "iterations of level"),
+        (1, 4, 6, 8), Several(Integer(0, 1000), "iterations of level"),
         "iterations by level, finest first",
     )  # fmt: skip
     radii: tuple[int, ...] = parameter(
-        (4, 16, EVERYWHERE), Several(Integer(0, EVERYWHERE), "radius of level"),
+        (8, 16, EVERYWHERE), Several(Integer(0, EVERYWHERE), "radius of level"),
         f"largest search radius by level, finest first; {EVERYWHERE} for everywhere",
     )  # fmt: skip
     start: str = parameter(
@@ -216,7 +216,9 @@ _THESIS = {
 
 REALTIME_PRESETS: dict[str, dict[str, Any]] = {
     "best": {},
-    "quick": {"mu": (16, 4, 4, 4, 0), "radii": (0, 4, 16, EVERYWHERE)},
+    "quick": {
+        "mu": (16, 4, 4, 4, 0), "iterations": (1, 3, 4, 8), "radii": (0, 4, 16, EVERYWHERE),
+    },
     "simple": _THESIS,
     "optimized": {**_THESIS, "scale_space": True},
 }  # fmt: skip

@@ -92,7 +92,7 @@ def test_a_stroke_leaves_the_guides_alone():
     session.frame()
     assert "random_nnf" not in calls
     assert calls["upsample_nnf"] == 4  # levels 3 to 0
-    assert calls["search"] == 2 * (1 + 3 + 4 + 8)
+    assert calls["search"] == 2 * (1 + 4 + 6 + 8)
     assert cold["search"] == calls["search"] + 2 * (8 + 8)
 
 
