@@ -10,36 +10,47 @@ from stylit_ref.studio.scene_files.offer import Offer
 _TARGETS = "golem", "teapot", "hand", "helmet", "pumpkin", "scorpion", "stego"
 
 
-def bundled_source() -> Path:
-    """The folder of the sphere's render passes.
-
-    Raises
-    ------
-    InputError
-        If the scenes are not installed.
-    """
-    return _bundled() / "source"
-
-
 def bundled_offers() -> Iterator[Offer]:
-    """All targets under the sphere's light.
+    """The turntable, and small targets under the same light.
 
     Raises
     ------
     InputError
         If the scenes are not installed.
     """
-    bundled = _bundled()
-    source = layers_in(bundled / "source")
+    turntable, small = _folders()
+    if turntable.is_dir():
+        steps = sorted((turntable / "turntable").iterdir())
+        source = layers_in(turntable / "source")
+        yield Offer("turntable", "Golem that turns", source, [layers_in(step) for step in steps])
+    source = layers_in(small / "source")
     for name in _TARGETS:
-        yield Offer(name, name.capitalize(), source, [layers_in(bundled / name)])
+        yield Offer(name, f"{name.capitalize()} (small)", source, [layers_in(small / name)])
 
 
-def _bundled() -> Path:
+def bundled_source() -> Path:
+    """The folder of the render passes of the sphere that is painted first.
+
+    Raises
+    ------
+    InputError
+        If the scenes are not installed.
+    """
+    return next(folder for folder in _folders() if folder.is_dir()) / "source"
+
+
+def bundled_style(name: str) -> Path | None:
+    """A painting of that sphere by its name, such as ``oil``; None if there is none."""
+    styles = bundled_source() / "styles"
+    return next((style for style in styles.iterdir() if style.stem == name), None)
+
+
+def _folders() -> tuple[Path, Path]:
+    """Of the turntable, which need not be there, and of the small scenes."""
     try:
-        from data_gen import guides
+        from data_gen import guides, turntable
     except ModuleNotFoundError:
         raise InputError(
             "the scenes are not installed with this package; name a TARGET and a --source"
         ) from None
-    return Path(guides.__file__).with_name("bundled")
+    return turntable.BUNDLED, Path(guides.__file__).with_name("bundled")

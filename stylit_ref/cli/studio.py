@@ -55,8 +55,10 @@ def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
         help="where the painting is saved, and read again (default ./%(default)s)",
     )  # fmt: skip
     painting.add_argument(
-        "--style", metavar="IMAGE", help="begin a new painting with this (default: the render)"
-    )
+        "--style", metavar="IMAGE",
+        help="begin a new painting with this: an image as large as the source, or the name of one "
+        "that is bundled, oil, crayon, watercolour or pen (default: the render)",
+    )  # fmt: skip
     painting.add_argument(
         "--watch", metavar="IMAGE",
         help="paint in a program of your own: whenever this file changes, it becomes the painting. "

@@ -10,7 +10,7 @@ from stylit_ref.errors import InputError
 from stylit_ref.files.field import Field
 from stylit_ref.files.realtime_field import RealtimeField
 from stylit_ref.machine.kernel import compile_missing
-from stylit_ref.realtime.packing import Packing
+from stylit_ref.realtime.packing import Packing, choose_packing
 from stylit_ref.realtime.params import RealtimeParams
 from stylit_ref.realtime.session import Session
 from stylit_ref.realtime.warm_up import kernels_of_frame
@@ -105,6 +105,19 @@ class Follower:
         """Whether there is a frame of all as it is."""
         return self._searched == self._state
 
+    def check(self, settings: Settings) -> None:
+        """Refuse settings that cannot be, as far as that is known at once; from any thread.
+
+        Raises
+        ------
+        InputError
+        """
+        scene, ready, packing = self.scene, self._ready, settings.live.packing
+        if packing not in ("auto", "pca"):
+            choose_packing(scene.source, packing)  # looks for its buffers
+        if ready and (ready.state.scene, ready.state.settings.live.packing) == (scene, packing):
+            ready.packed.check(settings, scene)
+
     def paint(self, x: int, y: int, pixels: NDArray[np.uint8], serial: int) -> None:
         """Change a rectangle of the painting."""
         height, width = pixels.shape[:2]
@@ -138,18 +151,16 @@ class Follower:
         state, ready = self._state, self._ready
         if ready and ready.state == state:
             return
-        live = state.settings.live
+        live, packed = state.settings.live, self._pack(state)
         if ready is None or (ready.state.scene, ready.state.settings.live) != (state.scene, live):
-            packed = pack_scene(state.scene, state.step, live)
             kernels = kernels_of_frame(live, packed.packing, warm=True)
             if not all(kernel.is_compiled for kernel in kernels):
                 ahead(live, packed.packing)
                 compile_missing(kernels, compiling)
             self._ready = _Ready(state, packed, self._session_of(packed))
             return
-        before, packed, session = ready
+        before, _, session = ready
         if before.step != state.step:
-            packed = pack_scene(state.scene, state.step, live, packed.packing)
             session.set_target(packed.target, packed.target_labels)
         if before.settings != state.settings:
             session.set_weights(packed.weights(state.settings, state.scene))
@@ -242,8 +253,7 @@ class Follower:
         InputError
             If the scene cannot be stylized so.
         """
-        packed = pack_scene(self.scene, self.step, self.settings.live)
-        return self._session_of(packed)
+        return self._session_of(self._pack(self._state))
 
     @property
     def _state(self) -> _State:
@@ -252,6 +262,18 @@ class Follower:
     def _keep(self, which, image, ready):
         weighs = ready.packed.weights(self.settings, self.scene) is not None
         self._last = _Last(which, image, ready.state, ready.session, weighs)
+
+    def _pack(self, state):
+        """The scene as sessions take it; what was packed before is kept where it is the same."""
+        ready, live = self._ready, state.settings.live
+        if ready is None or ready.state.scene is not state.scene:
+            return pack_scene(state.scene, state.step, live)
+        before = ready.state.settings.live
+        if before.packing != live.packing:
+            return pack_scene(state.scene, state.step, live)
+        if (ready.state.step, before.labels) != (state.step, live.labels):
+            return pack_scene(state.scene, state.step, live, ready.packed.packing)
+        return ready.packed
 
     def _session_of(self, packed):
         settings = self.settings

@@ -241,6 +241,7 @@ class Live:
         self._worker.close()
 
     def _settle(self, settings):
+        self._follower.check(settings)
         self._settings = settings
         self._change(lambda: setattr(self._follower, "settings", settings), "cold")
 

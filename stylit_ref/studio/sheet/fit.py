@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import map_coordinates
+from scipy.ndimage import gaussian_filter, map_coordinates
 from scipy.optimize import least_squares
 
 from stylit_ref.studio.sheet.layout import CELL, Layout
@@ -15,6 +15,9 @@ _ALONG = np.linspace(0.06, 0.94, 24)
 
 _FAR, _NEAR = 0.45 * CELL, 0.2 * CELL
 """How far from where it is expected, in dots: the frame of a mark is a cell thick."""
+
+_SMOOTH = 1.0
+"""Pixels; in a sharp scan the steepest place would depend on where an edge cuts a pixel."""
 
 _LEAST_STEPS = 4
 """Half pixels to each side of an edge, however small the marks are."""
@@ -58,13 +61,14 @@ def fit_sheet(
     Fit
     """
     corners = np.concatenate([layout.marks[number] for number in found])
+    smooth = gaussian_filter(grey, _SMOOTH)
     matrix = homography(corners, np.concatenate(list(found.values())))
     error = np.inf
     for marks, reach in ((layout.marks[list(found)], _FAR), (layout.marks, _NEAR)):
         scale = _scale(matrix, layout)
         if not scale > 0:
             return Fit(matrix, np.inf)
-        edges = _edges(grey, matrix, marks, reach, 1 / scale)
+        edges = _edges(smooth, matrix, marks, reach, 1 / scale)
         if len(edges.places) < 8 * len(_ALONG):
             return Fit(matrix, np.inf)
         matrix, error = _fitted(edges, matrix)
