@@ -116,7 +116,7 @@
 
   // src/history.ts
   var MOST_BYTES = 256 * 1024 * 1024;
-  var MOST_STEPS = 200;
+  var MOST_STEPS = 100;
   var TILE_BYTES = 4 * TILE * TILE;
   var History = class {
     most;
@@ -2263,9 +2263,10 @@
     fit() {
       const { clientWidth, clientHeight } = this.pane;
       const fitting = Math.min((clientWidth - 2 * MARGIN) / this.width, (clientHeight - 2 * MARGIN) / this.height);
-      this.scale = Math.max(fitting, SMALLEST);
-      this.left = (clientWidth - this.scale * this.width) / 2;
-      this.top = (clientHeight - this.scale * this.height) / 2;
+      const isWhole = fitting < 1 && this.width <= clientWidth && this.height <= clientHeight;
+      this.scale = isWhole ? 1 : Math.max(fitting, SMALLEST);
+      this.left = Math.round((clientWidth - this.scale * this.width) / 2);
+      this.top = Math.round((clientHeight - this.scale * this.height) / 2);
       this.isFitted = true;
       this.lay();
     }
