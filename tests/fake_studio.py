@@ -140,6 +140,10 @@ class FakeStudio:
         _until(lambda: any(asked["do"] == what for asked in self.asked))
         return [asked for asked in self.asked if asked["do"] == what][-1]
 
+    def rests(self, serial):
+        """Wait until a page has said that the brush rests after so many messages."""
+        _until(lambda: {"do": "rest", "serial": serial} in self.asked)
+
     async def _live(self, socket):
         await socket.accept()
         self.loop = asyncio.get_running_loop()

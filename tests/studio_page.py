@@ -59,6 +59,13 @@ class StudioPage:
             mouse.move(*self.at(*place), steps=steps)
         mouse.up()
 
+    def sent(self):
+        """Wait until the server has been sent all; gives the serial of the last message."""
+        self.until("""(({ isBehind, isResting, rested, serial }) =>
+          !window.stylitStudio.artist.isPainting && !isBehind && (!isResting || rested === serial)
+        )(window.stylitStudio.sender)""")
+        return self.page.evaluate("window.stylitStudio.sender.serial")
+
     def pixels(self):
         """The painting as the canvas shows it, (H, W, 3) uint8."""
         self.page.evaluate("new Promise(requestAnimationFrame)")

@@ -1788,7 +1788,7 @@
       if (isReader) looks.leave();
       this.role = role;
       artist.mayPaint = !isReader;
-      sender.allow(!isReader && !this.awaited);
+      sender.allow(false);
       artist.tell();
       document.body.classList.toggle("reads", isReader);
       for (const set of document.querySelectorAll("fieldset.painters")) set.disabled = isReader;

@@ -168,7 +168,7 @@ export class Session implements Heard {
     if (isReader) looks.leave();
     this.role = role;
     artist.mayPaint = !isReader;
-    sender.allow(!isReader && !this.awaited);
+    sender.allow(false); // until the painting has come that a welcome tells of
     artist.tell();
     document.body.classList.toggle("reads", isReader);
     for (const set of document.querySelectorAll<HTMLFieldSetElement>("fieldset.painters")) set.disabled = isReader;

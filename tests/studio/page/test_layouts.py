@@ -43,7 +43,7 @@ def test_a_finger_paints_and_two_fingers_zoom(open_page, studio):
     fingers("touchMove", page.at(100, 60))
     fingers("touchEnd")
     assert page.pixels()[60, 70].tolist() == [200, 30, 30]
-    studio.asks("rest")
+    studio.rests(page.sent())
 
     painted = page.pixels()
     one, other = page.at(60, 50), page.at(100, 70)

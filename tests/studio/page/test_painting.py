@@ -21,8 +21,8 @@ def test_a_stroke_appears_is_sent_and_changes_the_picture(page, studio):
     shown = page.pixels()
     assert shown[60, 40:101].tolist() == [[200, 30, 30]] * 61
     assert np.array_equal(shown[:40], studio.beginning[:40])
-    asked = studio.asks("rest")
-    assert asked["serial"] == studio.serial == len(studio.rectangles)
+    studio.rests(page.sent())
+    assert studio.serial == len(studio.rectangles)
     assert np.array_equal(studio.painting, shown)
     page.until("document.getElementById('saved').textContent", "Saved")
     page.until("document.getElementById('which').textContent", "coherent")
@@ -35,7 +35,7 @@ def test_a_stroke_appears_is_sent_and_changes_the_picture(page, studio):
 
 def test_only_what_changed_is_sent(page, studio):
     page.stroke((40, 60), (60, 60))
-    studio.asks("rest")
+    studio.rests(page.sent())
     for x, y, width, height, _ in studio.rectangles:
         assert 30 <= x <= 70 - width
         assert 50 <= y <= 70 - height
@@ -53,8 +53,7 @@ def test_undo_and_redo_restore_the_bytes(page, studio):
     assert page.page.locator("#undo").is_disabled()
     page.page.keyboard.press("Control+Shift+z")
     assert np.array_equal(page.pixels(), after)
-    page.until("window.stylitStudio.sender.isBehind", False)
-    studio.asks("rest")
+    studio.rests(page.sent())
     assert np.array_equal(studio.painting, after)
 
 
@@ -137,7 +136,7 @@ def test_keys_alone_paint(page, studio):
     assert page.text("said") == "The brush is lifted."
     row = (page.pixels()[60] == (200, 30, 30)).all(1)
     assert row.sum() > 40
-    studio.asks("rest")
+    studio.rests(page.sent())
 
 
 def test_keys_choose_tools_and_shapes(page):
@@ -183,7 +182,7 @@ def test_a_stroke_of_any_zoom_lies_where_the_hand_is(page):
 
 def test_a_picture_that_is_older_does_not_win(page, studio):
     page.stroke((40, 60), (100, 60))
-    studio.asks("rest")
+    studio.rests(page.sent())
     page.until("document.getElementById('which').textContent", "coherent")
     late = studio.picture("fast", studio.painting)
     studio.say(late[:8] + b"\1\0\0\0" + late[12:])

@@ -97,9 +97,8 @@ def test_nothing_is_lost_when_the_program_is_killed_and_started_anew(open_page, 
     old.until(f"{LINE}.startsWith('Another page has the brush. This one holds strokes')")
     old.page.get_by_role("button", name="Take over").click()
     new.until(f"{LINE}.startsWith('Another page has the brush')")
-    old.until("window.stylitStudio.sender.isBehind", False)
-    serial = "window.stylitStudio.sender.serial"
-    new.until(serial, old.page.evaluate(serial))
+    old.until(LINE, "")
+    new.until("window.stylitStudio.sender.serial", old.sent())
     assert np.array_equal(old.pixels(), painted)
     assert np.array_equal(new.pixels(), painted)
     # The browser itself tells that nobody answers, or does not let it in.
@@ -110,7 +109,8 @@ def test_nothing_is_lost_when_the_program_is_killed_and_started_anew(open_page, 
 
 def _until_saved(folder, painting):
     """It is saved at most once a second."""
+    file = folder / "painting" / "style.png"
     end = time.monotonic() + 10
-    while not np.array_equal(read_image(folder / "painting" / "style.png"), painting):
+    while not file.exists() or not np.array_equal(read_image(file), painting):
         assert time.monotonic() < end
         time.sleep(0.05)

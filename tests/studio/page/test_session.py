@@ -11,7 +11,7 @@ LINE = "document.getElementById('banner').textContent"
 def test_a_reload_brings_the_painting_back(open_page, studio):
     page = open_page(studio).started()
     page.stroke((40, 60), (100, 60))
-    studio.asks("rest")
+    studio.rests(page.sent())
     painted = page.pixels()
     page.page.reload()
     page.started()
@@ -32,8 +32,7 @@ def test_a_second_tab_looks_on_until_it_takes_over(open_page, studio):
     assert second.page.locator("#finish").is_disabled()
 
     first.stroke((40, 60), (100, 60))
-    studio.asks("rest")
-    second.until("window.stylitStudio.sender.serial", studio.serial)
+    second.until("window.stylitStudio.sender.serial", first.sent())
     assert np.array_equal(second.pixels(), first.pixels())
 
     second.page.get_by_role("button", name="Take over").click()
@@ -50,7 +49,7 @@ def test_a_second_tab_looks_on_until_it_takes_over(open_page, studio):
 def test_painting_goes_on_without_the_server_and_is_sent_when_it_is_back(open_page, studio):
     page = open_page(studio).started()
     page.stroke((40, 30), (100, 30))
-    studio.asks("rest")
+    studio.rests(page.sent())
     studio.stop()
     page.until(f"{LINE}.startsWith('The connection is lost. Go on painting')")
     page.stroke((40, 90), (100, 90))
@@ -58,14 +57,13 @@ def test_painting_goes_on_without_the_server_and_is_sent_when_it_is_back(open_pa
     assert not np.array_equal(painted, studio.painting)
     studio.start()
     page.until(LINE, "")
-    page.until("window.stylitStudio.sender.isBehind", False)
+    page.sent()
     assert page.text("said") == "Connected again; what you painted meanwhile is sent."
     page.until("document.getElementById('which').textContent", "coherent")
     page.page.keyboard.press("z")
     page.page.keyboard.press("Shift+Z")
     assert np.array_equal(page.pixels(), painted)
-    page.until("window.stylitStudio.sender.isBehind", False)
-    studio.asks("rest")
+    studio.rests(page.sent())
     assert np.array_equal(studio.painting, painted)
     # The browser itself tells that nobody answers.
     open_page.complaints[:] = [said for said in open_page.complaints if "ERR_CONN" not in said]
@@ -74,14 +72,13 @@ def test_painting_goes_on_without_the_server_and_is_sent_when_it_is_back(open_pa
 def test_a_server_that_lost_strokes_gets_them_again(open_page, studio):
     page = open_page(studio).started()
     page.stroke((40, 30), (100, 30))
-    studio.asks("rest")
+    studio.rests(page.sent())
     painted = page.pixels()
     studio.stop()
     studio.painting, studio.serial = studio.beginning.copy(), 0
     studio.start()
     page.until("window.stylitStudio.session.wasLost", False)
-    page.until("window.stylitStudio.sender.isBehind", False)
-    studio.asks("rest")
+    studio.rests(page.sent())
     assert np.array_equal(page.pixels(), painted)
     open_page.complaints[:] = [said for said in open_page.complaints if "ERR_CONN" not in said]
 
@@ -95,7 +92,7 @@ def test_a_painting_from_elsewhere_is_taken_over_and_can_be_undone(open_page, st
     assert np.array_equal(page.pixels(), other)
     page.page.keyboard.press("z")
     assert np.array_equal(page.pixels(), studio.beginning)
-    studio.asks("rest")
+    studio.rests(page.sent())
     assert np.array_equal(studio.painting, studio.beginning)
 
 
