@@ -6,7 +6,6 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import distance_transform_edt
 
 from stylit_ref.views import passes as frame_passes
 from stylit_ref.views.frames import Edges, Motion
@@ -61,7 +60,8 @@ class FieldsGeometry:
         self, place: tuple[float, float], views: Sequence[int]
     ) -> tuple[Surface, NDArray[np.float32]]:
         """As :class:`~stylit_ref.views.interpolation.surface.Geometry`."""
-        motion = np.empty((len(views), *self.size, 2), np.float32)
+        # Where no view tells anything, all are masked.
+        motion = np.full((len(views), *self.size, 2), np.inf, np.float32)
         landed = np.zeros(self.size, np.bool_)
         for view in views:
             moved, seen = self._moved(place, view)
@@ -71,8 +71,8 @@ class FieldsGeometry:
             order = np.array([seen.numbers[other] for other in views], np.int64)
             passes.follow(winners, moved.field, seen.ways, seen.shown, order, landed, motion)
         # What has come into view moves as what is closest to it.
-        closest = distance_transform_edt(~landed, return_distances=False, return_indices=True)
-        beside = np.ascontiguousarray(np.moveaxis(closest, 0, -1), np.int32)
+        beside = np.empty((*self.size, 2), np.int32)
+        passes.find_closest(landed, np.empty(self.size, np.int32), beside)
         return Surface(np.zeros(self.size, np.int32), beside), motion
 
     def _moved(self, place: tuple[float, float], view: int) -> tuple[Motion, _Seen]:

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scipy.ndimage import distance_transform_edt
 
 from stylit_ref.realtime.formulae.packed_nnf import entries_of, places_of
 from stylit_ref.views.interpolation import passes
@@ -314,3 +315,33 @@ def test_follow_tells_what_no_view_before_has_told():
             way = ways[other, row, column] - moved[row, column]
             expected = way if shown[other, row, column] else np.inf
             np.testing.assert_array_equal(motion[k, y, x], expected)
+
+
+@pytest.mark.parametrize("share", [0.004, 0.03, 0.6])
+@pytest.mark.parametrize("size", [SIZE, (1, 9), (40, 70)])
+def test_the_closest_is_found_and_of_several_the_first_by_column_and_row(share, size):
+    rng = np.random.default_rng(15)
+    known = rng.random(size) < share
+    known[-3:] &= known[:1]  # columns in which nothing is known below
+    known.flat[rng.integers(known.size)] = True
+    rows, places = np.empty(size, np.int32), np.empty((*size, 2), np.int32)
+    passes.find_closest(known, rows, places)
+    row, column = np.nonzero(known)
+    for y, x in np.ndindex(size):
+        away = (row - y) ** 2 + (column - x) ** 2
+        first = np.lexsort((row, column, away))[0]
+        assert tuple(places[y, x]) == (row[first], column[first])
+
+
+def test_the_closest_is_that_of_scipy():
+    known = np.random.default_rng(16).random((60, 90)) < 0.05
+    rows, places = np.empty(known.shape, np.int32), np.empty((*known.shape, 2), np.int32)
+    passes.find_closest(known, rows, places)
+    found = distance_transform_edt(~known, return_distances=False, return_indices=True)
+    np.testing.assert_array_equal(places, np.moveaxis(found, 0, -1))
+
+
+def test_where_nothing_is_known_a_pixel_is_its_own_closest():
+    rows, places = np.empty(SIZE, np.int32), np.empty((*SIZE, 2), np.int32)
+    passes.find_closest(np.zeros(SIZE, np.bool_), rows, places)
+    np.testing.assert_array_equal(places, np.moveaxis(np.mgrid[: SIZE[0], : SIZE[1]], 0, -1))

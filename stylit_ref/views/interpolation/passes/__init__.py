@@ -1,6 +1,7 @@
 """The passes of views between those of a grid: loops over a whole picture."""
 
 from stylit_ref.views.interpolation.passes.clip import clip
+from stylit_ref.views.interpolation.passes.closest import find_closest
 from stylit_ref.views.interpolation.passes.follow import follow
 from stylit_ref.views.interpolation.passes.limited import make_limited_search
 from stylit_ref.views.interpolation.passes.mix import mix, mix_shifted
@@ -14,6 +15,7 @@ __all__ = [
     "clip",
     "fetch",
     "fill_holes",
+    "find_closest",
     "find_corners",
     "follow",
     "make_limited_search",
