@@ -36,7 +36,8 @@ def table_of(page):
 def test_one_file_holds_everything(run, tmp_path, capsys):
     page = tmp_path / "page.html"
     assert main(["viewer", str(run), "--output", str(page), "--title", "A <box> – 箱"]) == 0
-    assert re.search(r"wrote 0\.\d MB, 6 views", capsys.readouterr().err)
+    said = capsys.readouterr().err
+    assert re.search(rf"wrote {re.escape(str(page))} with 6 views, 0\.\d MB$", said.strip())
     table = table_of(page)
     assert (table["title"], table["width"], table["height"]) == ("A <box> – 箱", SIZE[1], SIZE[0])
     assert table["columns"]["positions"] == pytest.approx([-10, 0, 12])
@@ -201,6 +202,7 @@ def test_pictures_alone_make_a_page(manifest, tmp_path):
             "has 'picture'; known are grid, nnfs, style, patch_width, "
             "pictures, cameras, mesh; did you mean pictures?",
         ),
+        ({"guides": [], "motion": "m"}, "first, and name RUN in place of the manifest"),
         ({"pictures": "{view}.png", "grid": [["00"]]}, "at least two in all"),
         ({"pictures": "{view}.png", "cameras": {}}, "there is no camera of 00; the views between"),
         ({"pictures": "{view}.png", "cameras": {"00": 5}}, "the camera of 00 is 5; it must be an"),
