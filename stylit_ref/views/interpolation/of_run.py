@@ -58,6 +58,11 @@ def views_of_run(run: Run | str | Path, *, band: float = BAND) -> ViewInterpolat
     run = run if isinstance(run, Run) else Run(run)
     if not 0 <= band <= 1:
         raise InputError(f"is {band:g}; it must be between 0 and 1", parameter="band")
+    if run.has_masks:
+        raise InputError(
+            f"{run.folder}: was drawn with --mask, and views between others need whole ones; do "
+            "the run again without it"
+        )
     rows, columns = run.grid or (1, len(run.names))
     if len(run.names) < 2 or rows * columns != len(run.names):
         raise InputError(
