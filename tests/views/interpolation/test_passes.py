@@ -345,3 +345,21 @@ def test_where_nothing_is_known_a_pixel_is_its_own_closest():
     rows, places = np.empty(SIZE, np.int32), np.empty((*SIZE, 2), np.int32)
     passes.find_closest(np.zeros(SIZE, np.bool_), rows, places)
     np.testing.assert_array_equal(places, np.moveaxis(np.mgrid[: SIZE[0], : SIZE[1]], 0, -1))
+
+
+def test_ways_are_summed_up_by_their_shares_and_followed():
+    rng = np.random.default_rng(17)
+    ways = rng.normal(0, 9, (3, *SIZE, 2)).astype(np.float32)
+    ways[0, 2, 3] = np.inf
+    views, shares, landed = np.array([2, 0]), np.float32([0.3, 0.55]), rng.random(SIZE) < 0.4
+    moved, places = np.empty((*SIZE, 2), np.float32), np.empty((*SIZE, 2), np.int32)
+    passes.move(ways, views, shares, landed, moved, places)
+    np.testing.assert_array_equal(moved, shares[0] * ways[2] + shares[1] * ways[0])
+    outcomes = set()
+    for y, x in np.ndindex(SIZE):
+        column, row = np.floor((x, y) + moved[y, x].astype(np.float64) + 0.5)
+        is_inside = 0 <= row < SIZE[0] and 0 <= column < SIZE[1]
+        is_free = is_inside and not landed[int(row), int(column)]
+        assert tuple(places[y, x]) == ((row, column) if is_free else (-1, -1))
+        outcomes.add((is_inside, is_free))
+    assert len(outcomes) == 3

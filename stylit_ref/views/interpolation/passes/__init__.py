@@ -5,6 +5,7 @@ from stylit_ref.views.interpolation.passes.closest import find_closest
 from stylit_ref.views.interpolation.passes.follow import follow
 from stylit_ref.views.interpolation.passes.limited import make_limited_search
 from stylit_ref.views.interpolation.passes.mix import mix, mix_shifted
+from stylit_ref.views.interpolation.passes.move import move
 from stylit_ref.views.interpolation.passes.rasterize import rasterize
 from stylit_ref.views.interpolation.passes.shift import fetch, shift
 from stylit_ref.views.interpolation.passes.splat import fill_holes, splat_points
@@ -22,6 +23,7 @@ __all__ = [
     "make_vote",
     "mix",
     "mix_shifted",
+    "move",
     "rasterize",
     "shift",
     "splat_points",
