@@ -592,6 +592,25 @@
     return grown;
   }
 
+  // src/points.ts
+  var SLACK = 0.1;
+  function pointsOf(planes, width, height) {
+    const pixels = width * height;
+    const points = new Uint32Array(2 * pixels);
+    for (let y = 0, i = 0; y < height; y++) {
+      let [label, slope, bits] = [0, 0, 0];
+      for (let x = 0; x < width; x++, i++) {
+        const byte = (plane) => planes[plane * pixels + i];
+        label = label + (byte(0) | byte(1) << 8) & 65535;
+        slope = slope + (byte(2) | byte(3) << 8 | byte(4) << 16 | byte(5) << 24) | 0;
+        bits = bits + slope | 0;
+        points[2 * i] = label;
+        points[2 * i + 1] = bits;
+      }
+    }
+    return points;
+  }
+
   // src/script/splat.ts
   var { floor } = Math;
   function surfaceOf(points, width, height) {
@@ -608,6 +627,7 @@
     const [width, height] = [viewWidth, viewHeight].map((side) => Math.ceil(side / step));
     const faces = new Uint16Array(width * height).fill(SKY);
     const inverse = new Float32Array(width * height);
+    const merits = new Float32Array(width * height);
     for (const { points, lens: from } of views) {
       const [across, down, depth] = transferOf(from, lens);
       const bits = new Float32Array(points.buffer);
@@ -616,12 +636,17 @@
           const v = bits[2 * p + 1];
           const z = depth[0] * x + depth[1] * y + depth[2] + depth[3] * v;
           if (!(v > 0 && z > 0)) continue;
-          const column = floor((floor((across[0] * x + across[1] * y + across[2] + across[3] * v) / z + 0.5) + 0.5) / step);
-          const row = floor((floor((down[0] * x + down[1] * y + down[2] + down[3] * v) / z + 0.5) + 0.5) / step);
+          const right = (across[0] * x + across[1] * y + across[2] + across[3] * v) / z + 0.5;
+          const below = (down[0] * x + down[1] * y + down[2] + down[3] * v) / z + 0.5;
+          const column = floor((floor(right) + 0.5) / step);
+          const row = floor((floor(below) + 0.5) / step);
           if (column < 0 || column >= width || row < 0 || row >= height) continue;
           const to = row * width + column;
           const near = Math.fround(v / z);
-          if (near <= inverse[to]) continue;
+          const [awayX, awayY] = [right / step - column - 0.5, below / step - row - 0.5];
+          const merit = Math.fround(near * (1 - SLACK * (awayX * awayX + awayY * awayY)));
+          if (merit <= merits[to]) continue;
+          merits[to] = merit;
           inverse[to] = near;
           faces[to] = points[2 * p];
         }
@@ -1312,6 +1337,7 @@ uniform ivec2 viewSize, size;
 uniform int step;
 flat out uint label;
 flat out float inverse;
+flat out float merit;
 void main() {
   int pixels = viewSize.x * viewSize.y, k = gl_VertexID / pixels, n = gl_VertexID % pixels;
   ivec2 from = ivec2(n % viewSize.x, n / viewSize.x);
@@ -1324,16 +1350,19 @@ void main() {
   inverse = v / depth;
   gl_PointSize = 1.;
   vec2 landed = floor((floor(at + .5) + .5) / float(step)) + .5;
+  vec2 away = (at + .5) / float(step) - landed;
+  merit = inverse * (1. - ${SLACK} * dot(away, away));
   gl_Position = v > 0. && depth > 0. ? vec4(2. * landed / vec2(size) - 1., 0., 1.) : vec4(2., 2., 0., 1.);
 }`;
   var SPLAT = `
 flat in uint label;
 flat in float inverse;
+flat in float merit;
 uniform float near;
 layout(location = 0) out uvec2 surface;
 void main() {
   surface = uvec2(label, floatBitsToUint(inverse));
-  gl_FragDepth = inverse * near;
+  gl_FragDepth = merit * near;
 }`;
   var FILL_HOLES = `
 uniform usampler2D sparse;
@@ -1948,24 +1977,6 @@ void main() {
     return field;
   }
   var unfolded = (number) => number & 1 ? -(number + 1) / 2 : number / 2;
-
-  // src/points.ts
-  function pointsOf(planes, width, height) {
-    const pixels = width * height;
-    const points = new Uint32Array(2 * pixels);
-    for (let y = 0, i = 0; y < height; y++) {
-      let [label, slope, bits] = [0, 0, 0];
-      for (let x = 0; x < width; x++, i++) {
-        const byte = (plane) => planes[plane * pixels + i];
-        label = label + (byte(0) | byte(1) << 8) & 65535;
-        slope = slope + (byte(2) | byte(3) << 8 | byte(4) << 16 | byte(5) << 24) | 0;
-        bits = bits + slope | 0;
-        points[2 * i] = label;
-        points[2 * i + 1] = bits;
-      }
-    }
-    return points;
-  }
 
   // src/store.ts
   var Store = class {

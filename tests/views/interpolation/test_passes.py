@@ -255,14 +255,15 @@ def test_of_equal_patches_the_chosen_one_stays():
     np.testing.assert_array_equal(search_among(made, nnf, candidates, vote(made, nnf)), nnf)
 
 
-def test_points_land_where_they_are_seen_and_the_nearest_wins():
+@pytest.mark.parametrize("slack", [0.0, 0.7])
+def test_points_land_where_they_are_seen_and_the_nearest_wins(slack):
     rng, matrix = np.random.default_rng(13), CAMERA.matrix(SIZE)
     points = rng.uniform(-1.2, 1.2, (2, *SIZE, 3)).astype(np.float32)
     points[0, 0, 0], points[1, 0, 1] = np.nan, (0.3, 1.2, 9.0)  # no number, and behind the camera
     labels = rng.integers(-1, 5, (2, *SIZE), dtype=np.int32)
     found, inverse = np.empty(SIZE, np.int32), np.empty(SIZE)
-    passes.splat_points(points, labels, np.array([1, 0]), matrix, found, inverse)
-    expected, nearest = np.full(SIZE, -1), np.zeros(SIZE)
+    passes.splat_points(points, labels, np.array([1, 0]), matrix, slack, found, inverse)
+    expected, nearest, best = np.full(SIZE, -1), np.zeros(SIZE), np.zeros(SIZE)
     for view in (1, 0):
         for y, x in np.ndindex(SIZE):
             across, down, depth = matrix @ (*points[view, y, x].astype(np.float64), 1)
@@ -271,7 +272,9 @@ def test_points_land_where_they_are_seen_and_the_nearest_wins():
             row, column = np.floor(down / depth + 0.5), np.floor(across / depth + 0.5)
             if 0 <= row < SIZE[0] and 0 <= column < SIZE[1]:
                 pixel = int(row), int(column)
-                if 1 / depth > nearest[pixel]:
+                away = (across / depth - column) ** 2 + (down / depth - row) ** 2
+                if (1 - slack * away) / depth > best[pixel]:
+                    best[pixel] = (1 - slack * away) / depth
                     expected[pixel], nearest[pixel] = labels[view, y, x], 1 / depth
     assert (expected >= 0).sum() > 50
     np.testing.assert_array_equal(found, expected)
