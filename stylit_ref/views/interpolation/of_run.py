@@ -77,7 +77,16 @@ def views_of_run(run: Run | str | Path, *, band: float = BAND) -> ViewInterpolat
 
 
 def geometry_of(run: Run) -> GeometryKind:
-    """What tells the motion between the views of a RUN."""
+    """What tells the motion between the views of a RUN.
+
+    Parameters
+    ----------
+    run : Run
+
+    Returns
+    -------
+    {"mesh", "positions", "fields"}
+    """
     if "mesh" in run.facts:
         return "mesh"
     has_positions = all("positions" in frame for frame in run.facts["frames"])
