@@ -58,9 +58,9 @@ def _views(content: Any, folder: Path, path: str) -> GridViews:
         raise InputError(f"{path}: is not an object with the keys {', '.join(_KEYS)}")
     if "guides" in content:
         raise InputError(
-            f"{path}: is a manifest of 'stylit-ref views', whose views are still to be drawn; run "
-            f"'stylit-ref views --manifest {path} --output IMAGES --run RUN' first, and name RUN "
-            "in place of the manifest"
+            f"{path}: is a manifest of 'stylit-ref views', whose views are still to be drawn; first run "
+            f"stylit-ref views --manifest {path} --output '{VIEW}.png' --run RUN, and name RUN in "
+            "place of the manifest"
         )
     if strange := [key for key in content if key not in _KEYS]:
         known = f"known are {', '.join(_KEYS)}{did_you_mean(strange[0], _KEYS)}"

@@ -202,7 +202,7 @@ def test_pictures_alone_make_a_page(manifest, tmp_path):
             "has 'picture'; known are grid, nnfs, style, patch_width, "
             "pictures, cameras, mesh; did you mean pictures?",
         ),
-        ({"guides": [], "motion": "m"}, "first, and name RUN in place of the manifest"),
+        ({"guides": [], "motion": "m"}, "--run RUN, and name RUN in place of the manifest"),
         ({"pictures": "{view}.png", "grid": [["00"]]}, "at least two in all"),
         ({"pictures": "{view}.png", "cameras": {}}, "there is no camera of 00; the views between"),
         ({"pictures": "{view}.png", "cameras": {"00": 5}}, "the camera of 00 is 5; it must be an"),
