@@ -58,7 +58,7 @@ def _views(content: Any, folder: Path, path: str) -> GridViews:
         raise InputError(f"{path}: is not an object with the keys {', '.join(_KEYS)}")
     if "guides" in content:
         raise InputError(
-            f"{path}: is a manifest of 'stylit-ref views', whose views are still to be drawn; first run "
+            f"{path}: is a manifest of 'stylit-ref views', whose views are still to be drawn; run "
             f"stylit-ref views --manifest {path} --output '{VIEW}.png' --run RUN, and name RUN in "
             "place of the manifest"
         )
