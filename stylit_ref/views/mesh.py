@@ -21,7 +21,7 @@ class Mesh(NamedTuple):
     ----------
     vertices : (V, 3) float32 or float64
         In the units of the cameras. 64 bits where the scene lies so far from where its coordinates
-        are 0 that 32 would move it.
+        are 0 that 32 could move it.
     faces : (T, 3) int32
         The corners of every triangle.
     groups : (T,) int32
@@ -66,7 +66,7 @@ def make_mesh(
         raise InputError("holds no faces; export the scene with its faces")
     if not np.isfinite(vertices).all():
         raise InputError("holds a vertex that is no finite number; export the scene again")
-    if np.abs(exact - vertices).max() > _LEAST_EXACT * np.ptp(exact, axis=0).max():
+    if np.spacing(np.abs(vertices).max()) / 2 > _LEAST_EXACT * np.ptp(exact, axis=0).max():
         vertices = exact
     if faces.min() < 0 or faces.max() >= len(vertices):
         raise InputError(

@@ -183,6 +183,24 @@ def test_nnfs_of_any_program_make_the_same_views(run, manifest, tmp_path):
     assert table_of(theirs)["views"] == table_of(ours)["views"]
 
 
+def test_a_scene_5000_km_away_is_centred_in_its_page(run, manifest, tmp_path):
+    far, mesh = np.array([5e6, 0.0, -1e6]), Run(run).mesh()
+    lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in (mesh.vertices.astype(float) + far).tolist()]
+    lines += [f"f {a} {b} {c}" for a, b, c in (mesh.faces + 1).tolist()]
+    (tmp_path / "far.obj").write_text("\n".join(lines))
+    near = json.loads(Path(manifest()).read_text())["cameras"]
+    cameras = {
+        name: facts | {key: (far + facts[key]).tolist() for key in ("origin", "target")}
+        for name, facts in near.items()
+    }
+    page = tmp_path / "page.html"
+    file = manifest(pictures="{view}.png", cameras=cameras, mesh="far.obj")
+    assert main(["viewer", file, "--output", str(page), "--quiet"]) == 0
+    middle = (mesh.vertices.min(axis=0) + mesh.vertices.max(axis=0)) / 2
+    for view, facts in zip(table_of(page)["views"], near.values(), strict=True):
+        assert view["camera"]["origin"] == pytest.approx(facts["origin"] - middle, abs=1e-6)
+
+
 def test_pictures_alone_make_a_page(manifest, tmp_path):
     page = tmp_path / "page.html"
     assert main(["viewer", manifest(pictures="{view}.png"), "--output", str(page), "--quiet"]) == 0
