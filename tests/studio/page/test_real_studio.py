@@ -97,7 +97,9 @@ def test_nothing_is_lost_when_the_program_is_killed_and_started_anew(open_page, 
     old.until(f"{LINE}.startsWith('Another page has the brush. This one holds strokes')")
     old.page.get_by_role("button", name="Take over").click()
     new.until(f"{LINE}.startsWith('Another page has the brush')")
-    new.until("window.stylitStudio.sender.serial", old.page.evaluate("stylitStudio.sender.serial"))
+    old.until("window.stylitStudio.sender.isBehind", False)
+    serial = "window.stylitStudio.sender.serial"
+    new.until(serial, old.page.evaluate(serial))
     assert np.array_equal(old.pixels(), painted)
     assert np.array_equal(new.pixels(), painted)
     # The browser itself tells that nobody answers, or does not let it in.
