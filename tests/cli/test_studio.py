@@ -147,8 +147,9 @@ def test_a_missing_package_names_the_extra(tmp_path, monkeypatch, capsys, hidden
     ],
 )
 def test_a_panel_whose_room_is_missing_is_absent(served, monkeypatch, capsys, room, panel, options):
-    _forget(monkeypatch, "stylit_ref.studio.server.texture_panel", "stylit_ref.cli.studio_views",
-            "stylit_ref.studio.server.scan_panel", room)  # fmt: skip
+    names = "texture_panel", "texture_process", "dropped_texture", "scan_panel"
+    own_names = (f"stylit_ref.studio.server.{name}" for name in names)
+    _forget(monkeypatch, room, "stylit_ref.cli.studio_views", *own_names)
     monkeypatch.setitem(sys.modules, room, None)
     assert own(*options) == 130
     assert panel not in served["panels"]
