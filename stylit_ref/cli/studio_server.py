@@ -14,16 +14,17 @@ from numpy.typing import NDArray
 
 from stylit_ref.cli.bundled_scenes import bundled_style
 from stylit_ref.errors import InputError
-from stylit_ref.files.disk.paths import check_writable, existing_file, is_there
+from stylit_ref.files.disk.paths import check_writable, existing_file, is_there, real_path
 from stylit_ref.notes import note
 from stylit_ref.studio.engine.events import Event
 from stylit_ref.studio.engine.live import Live
 from stylit_ref.studio.engine.scene import Scene
 from stylit_ref.studio.painting.folder import PaintingFolder
+from stylit_ref.studio.painting.held import held
 from stylit_ref.studio.painting.paint_file import write_paint
 from stylit_ref.studio.scene_files.shelf import Shelf
 from stylit_ref.studio.server.access import Access
-from stylit_ref.studio.server.beginning import begin
+from stylit_ref.studio.server.beginning import Beginning, begin
 from stylit_ref.studio.server.door import USUAL_PORT, open_door, port_of
 from stylit_ref.studio.server.panel import Panel
 from stylit_ref.studio.server.serve import serve
@@ -52,14 +53,33 @@ def serve_studio(options: argparse.Namespace, shelf: Shelf) -> None:
     _check_port(options.port)
     panels = _panels(options, shelf)
     folder = PaintingFolder(options.painting)
-    style = options.style
+    try:
+        with held(folder.folder), _failures_on_stderr():
+            _serve(options, _beginning(options, shelf, folder), panels)
+    except KeyboardInterrupt:
+        saved = folder.style.exists()
+        left = f"the painting is saved in {folder.folder}" if saved else "nothing was painted"
+        raise KeyboardInterrupt(left) from None
+
+
+def _beginning(options: argparse.Namespace, shelf: Shelf, folder: PaintingFolder) -> Beginning:
+    """What there is to paint on; a watched file that is not there is written."""
+    style, watched = options.style, options.watch
     if style and options.source is None and not is_there(style):
         style = bundled_style(style) or style
-    beginning = begin(shelf, folder, style=style, watched=options.watch)
-    if options.watch and not Path(options.watch).exists():
-        check_writable(options.watch)
-        write_paint(Path(options.watch), beginning.saved.painting)
-        note(f"{options.watch}: is new, with the painting as it is; open it in your program")
+    if watched and real_path(watched) == real_path(folder.style):
+        raise InputError(
+            f"is {watched}, where the studio itself saves; watch another file", parameter="watch"
+        )
+    beginning = begin(shelf, folder, style=style, watched=watched)
+    if watched and not Path(watched).exists():
+        check_writable(watched)
+        write_paint(Path(watched), beginning.saved.painting)
+        note(f"{watched}: is new, with the painting as it is; open it in your program")
+    return beginning
+
+
+def _serve(options: argparse.Namespace, beginning: Beginning, panels: list[Panel]) -> None:
     door = open_door(options.port)
     access = Access(port_of(door))
     if options.port is None and access.port != USUAL_PORT:
@@ -80,13 +100,7 @@ def serve_studio(options: argparse.Namespace, shelf: Shelf) -> None:
         return Live(scene, painting, tell=tell, threads=options.threads, seed=seed)
 
     watched = Path(options.watch) if options.watch else None
-    try:
-        with _failures_on_stderr():
-            serve(beginning, engine, door, access, panels=panels, watched=watched, listens=listens)
-    except KeyboardInterrupt:
-        saved = folder.style.exists()
-        left = f"the painting is saved in {folder.folder}" if saved else "nothing was painted"
-        raise KeyboardInterrupt(left) from None
+    serve(beginning, engine, door, access, panels=panels, watched=watched, listens=listens)
 
 
 @contextmanager

@@ -1,9 +1,11 @@
 """Which kernels a frame needs."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from stylit_ref.machine.kernel import Specialization, rehearsal
-from stylit_ref.realtime.packing import Packing, pack
+from stylit_ref.realtime.packing import Packing, PrincipalPacking, pack
 from stylit_ref.realtime.params import RealtimeParams
 from stylit_ref.realtime.session import Session
 
@@ -28,10 +30,15 @@ def kernels_of_frame(
         In the order of their first calls.
     """
     side = 4 * params.patch_width
-    buffers = {name: np.zeros((side, side, 3), np.uint8) for name in packing.names}
+    channels = dict(packing.buffers) if isinstance(packing, PrincipalPacking) else {}
+    buffers = {
+        name: np.zeros((side, side, channels.get(name, 3)), np.uint8) for name in packing.names
+    }
+    # A second iteration calls what the first one does.
+    short = replace(params, iterations=tuple(min(count, 1) for count in params.iterations))
     with rehearsal() as rehearsed:
         guides, labels = pack(packing, buffers)
-        session = Session(params, threads=1)
+        session = Session(short, threads=1)
         session.set_exemplar(guides, np.zeros((side, side, 3), np.uint8), labels)
         session.set_target(guides, labels)
         session.frame()

@@ -10,6 +10,7 @@ from studio.small_studio import SIZE, TARGET_SIZE, write_passes
 from stylit_ref import read_image, write_image
 from stylit_ref.cli import main
 from stylit_ref.cli.bundled_scenes import bundled_source
+from stylit_ref.studio.painting.held import held
 
 
 @pytest.fixture
@@ -104,6 +105,7 @@ def test_a_watched_file_that_is_there_is_the_painting(served):
         (["--painting", "sphere/FULL.png"], "sphere/FULL.png: is a file; name a folder"),
         (["--texture", "none.png"], "none.png: no such file"),
         (["--views", "none"], "none"),
+        (["--watch", "painting/style.png"], "--watch is painting/style.png, where the studio"),
     ],
 )
 def test_what_cannot_be_used_is_a_sentence(served, capsys, more, sentence):
@@ -113,6 +115,13 @@ def test_what_cannot_be_used_is_a_sentence(served, capsys, more, sentence):
 
 def test_a_target_that_is_not_there_is_refused(served, capsys):
     assert "nowhere: no such file or folder" in refused(capsys, own(targets=["nowhere"]))
+
+
+def test_a_folder_that_another_studio_has_open_is_refused(served, tmp_path, capsys):
+    with held(tmp_path / "painting"):
+        assert "another studio has it open" in refused(capsys, own())
+    assert own() == 130
+    assert not (tmp_path / "painting").exists()  # nothing was painted
 
 
 def test_a_source_without_a_target_is_refused(served, capsys):

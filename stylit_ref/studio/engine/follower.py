@@ -138,18 +138,16 @@ class Follower:
         state, ready = self._state, self._ready
         if ready and ready.state == state:
             return
-        live = state.settings.live
+        live, packed = state.settings.live, self._pack(state)
         if ready is None or (ready.state.scene, ready.state.settings.live) != (state.scene, live):
-            packed = pack_scene(state.scene, state.step, live)
             kernels = kernels_of_frame(live, packed.packing, warm=True)
             if not all(kernel.is_compiled for kernel in kernels):
                 ahead(live, packed.packing)
                 compile_missing(kernels, compiling)
             self._ready = _Ready(state, packed, self._session_of(packed))
             return
-        before, packed, session = ready
+        before, _, session = ready
         if before.step != state.step:
-            packed = pack_scene(state.scene, state.step, live, packed.packing)
             session.set_target(packed.target, packed.target_labels)
         if before.settings != state.settings:
             session.set_weights(packed.weights(state.settings, state.scene))
@@ -242,8 +240,7 @@ class Follower:
         InputError
             If the scene cannot be stylized so.
         """
-        packed = pack_scene(self.scene, self.step, self.settings.live)
-        return self._session_of(packed)
+        return self._session_of(self._pack(self._state))
 
     @property
     def _state(self) -> _State:
@@ -252,6 +249,18 @@ class Follower:
     def _keep(self, which, image, ready):
         weighs = ready.packed.weights(self.settings, self.scene) is not None
         self._last = _Last(which, image, ready.state, ready.session, weighs)
+
+    def _pack(self, state):
+        """The scene as sessions take it; what was packed before is kept where it is the same."""
+        ready, live = self._ready, state.settings.live
+        if ready is None or ready.state.scene is not state.scene:
+            return pack_scene(state.scene, state.step, live)
+        before = ready.state.settings.live
+        if before.packing != live.packing:
+            return pack_scene(state.scene, state.step, live)
+        if (ready.state.step, before.labels) != (state.step, live.labels):
+            return pack_scene(state.scene, state.step, live, ready.packed.packing)
+        return ready.packed
 
     def _session_of(self, packed):
         settings = self.settings

@@ -122,7 +122,7 @@ class Scene:
                 f"step {step} of {self.name} has other buffers or channels than the source; "
                 "render both with the same passes"
             )
-        return buffers
+        return {name: buffers[name] for name in self.source}  # guides are paired by their order
 
     def _check_writable(self) -> None:
         if roles_of(self.buffers, ()) != list(self.buffers) or any(

@@ -178,7 +178,8 @@ class Worker:
 
     def _frame(self, warm):
         start = perf_counter()
-        self._prepare()
+        if self._prepare():
+            start = perf_counter()
         if not self._follower.is_searched:
             with self._changed:
                 if self._changes:  # meanwhile; after a stroke the brush will rest again
@@ -195,6 +196,7 @@ class Worker:
             self.begin("fast")
 
     def _prepare(self):
+        """Whether kernels were compiled, which is nothing that a picture takes."""
         compiled = 0
 
         def compiling(number, total):
@@ -205,3 +207,4 @@ class Worker:
         self._follower.prepare(compiling, self._background.compile_ahead)
         if compiled:
             self.say(Compiling(_COMPILING, compiled, compiled))
+        return compiled > 0

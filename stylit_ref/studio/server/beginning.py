@@ -12,6 +12,7 @@ from stylit_ref.studio.painting.folder import PaintingFolder, Saved, Setting
 from stylit_ref.studio.painting.paint_file import read_paint
 from stylit_ref.studio.scene_files.offer import Offer
 from stylit_ref.studio.scene_files.shelf import Shelf
+from stylit_ref.studio.server.protocol import sentence
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,7 +98,7 @@ def _last_offer(shelf: Shelf, name: str, notes: list[str]) -> Offer:
     try:
         return shelf.offer(name) if name else shelf.first
     except InputError as error:
-        notes.append(f"The scene of last time is not here: {error}.")
+        notes.append(f"The scene of last time is not here: {sentence(error)}")
         return shelf.first
 
 
@@ -109,5 +110,5 @@ def _opened(offer: Offer, setting: Setting, notes: list[str]) -> Scene:
     except InputError as error:
         if not picked:
             raise
-        notes.append(f"The layers of last time are not here: {error}.")
+        notes.append(f"The layers of last time are not here: {sentence(error)}")
         return offer.read()

@@ -19,7 +19,7 @@ from stylit_ref.studio.painting.folder import Saved
 from stylit_ref.studio.scene_files.offer import Offer
 from stylit_ref.studio.server import protocol
 from stylit_ref.studio.server.beginning import Beginning, folder_of
-from stylit_ref.studio.server.protocol import Paint, Wish, painting_bytes, said
+from stylit_ref.studio.server.protocol import Paint, Wish, painting_bytes, said, sentence
 from stylit_ref.studio.server.telling import Telling
 from stylit_ref.studio.server.visitors import Visitor, Visitors
 from stylit_ref.studio.server.welcome import panels_of_scene, welcome
@@ -105,7 +105,8 @@ class Desk:
             try:
                 await self._do(wish)
             except InputError as error:
-                visitor.outbox.say(said("problem", {"text": str(error)}))
+                visitor.outbox.say(said("problem", {"text": sentence(error)}))
+                visitor.outbox.say(said("scene", self._state))  # what it shows is not so
 
     def replace_painting(self, painting: NDArray[np.uint8], text: str) -> None:
         """Take a painting that was made elsewhere, and tell all pages.
@@ -123,7 +124,7 @@ class Desk:
         try:
             kept = self._easel.replace(painting)
         except InputError as error:
-            self._problem(f"The painting stays as it is, since it cannot be kept: {error}")
+            self._problem(f"The painting stays, since it cannot be kept: {sentence(error)}")
             return
         self._live.replace_painting(self._easel.painting.copy(), self._easel.serial)
         for visitor in self._visitors:
@@ -141,7 +142,7 @@ class Desk:
         file : str
         """
         if isinstance(found, InputError):
-            self._problem(f"{found}.")
+            self._problem(sentence(found))
         else:
             self.replace_painting(found, f"The painting is that of {file}.")
 
@@ -187,7 +188,7 @@ class Desk:
             self._live.choose_scene(scene)
             self._scene = scene
             self._set(scene=name, step=0, layers=layers)
-            self._visitors.say("scene", panels_of_scene(offer, self._easel.setting))
+            self._visitors.say("scene", self._state)
             return
         saved = await asyncio.to_thread(self._change_painting, offer)
         self._live.choose_scene(scene, saved.painting.copy(), saved.setting.serial)
@@ -218,6 +219,10 @@ class Desk:
         for reader in self._visitors.readers:
             self._welcome(reader)
 
+    @property
+    def _state(self) -> dict[str, Any]:
+        return panels_of_scene(self._shelf.offer(self._scene.name), self._easel.setting)
+
     def _restore(self) -> None:
         """Bring back what was set; what a later version does not know is left out and told."""
         setting, known = self._easel.setting, self._scene.buffers
@@ -230,7 +235,7 @@ class Desk:
                 if values:
                     restore(values)
             except InputError as error:
-                self._notes.append(f"The {name} of last time are left out: {error}.")
+                self._notes.append(f"The {name} of last time are left out: {sentence(error)}")
                 self._easel.set(replace(self._easel.setting, **{name: {}}))
         if setting.step:
             self._live.turn(setting.step, warm=False)
@@ -271,7 +276,7 @@ class Desk:
 
     def _tell_saved(self, error: InputError | None) -> None:
         if error:
-            self._problem(f"The painting is not saved: {error}")
+            self._problem(f"The painting is not saved: {sentence(error)}")
         else:
             text = f"Saved in {self._easel.folder.folder} at {datetime.now():%H:%M:%S}."
             self._visitors.say("saved", {"text": text})

@@ -7,6 +7,7 @@ from typing import TypeVar
 from starlette.exceptions import HTTPException
 
 from stylit_ref.errors import InputError
+from stylit_ref.studio.server.protocol import sentence
 
 Result = TypeVar("Result")
 
@@ -22,4 +23,4 @@ async def in_thread(work: Callable[[], Result]) -> Result:
     try:
         return await asyncio.to_thread(work)
     except InputError as error:
-        raise HTTPException(400, f"{error}.") from None
+        raise HTTPException(400, sentence(error)) from None

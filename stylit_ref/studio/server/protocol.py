@@ -240,6 +240,12 @@ def _refuse_constant(name):
     raise ValueError(f"{name} is not JSON")
 
 
+def sentence(error: Exception | str) -> str:
+    """What went wrong, with a full stop."""
+    text = str(error)
+    return text if text.endswith((".", "!", "?")) else f"{text}."
+
+
 def said(word: str, values: Mapping[str, Any] | None = None) -> str:
     """A text message of the server: a word, and what belongs to it.
 

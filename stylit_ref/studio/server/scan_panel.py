@@ -12,6 +12,7 @@ from stylit_ref.studio.scene_files.offer import Offer
 from stylit_ref.studio.server.body import json_body, points
 from stylit_ref.studio.server.in_thread import in_thread
 from stylit_ref.studio.server.panel import Panel
+from stylit_ref.studio.server.protocol import sentence
 from stylit_ref.studio.sheet.photograph import read_photograph
 from stylit_ref.studio.sheet.print_sheet import print_sheet
 from stylit_ref.studio.sheet.register import Registered, register, register_corners
@@ -48,7 +49,7 @@ def scan_panel(offer: Offer) -> Panel:
 
         found = await in_thread(look)
         if isinstance(found, InputError):
-            return JSONResponse({**told, "text": f"{found}."})
+            return JSONResponse({**told, "text": sentence(found)})
         request.app.state.desk.replace_painting(found.painting, _TAKEN)
         return JSONResponse({**told, "text": _TAKEN, "corners": found.corners.tolist()})
 

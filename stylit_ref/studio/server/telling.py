@@ -11,7 +11,7 @@ from stylit_ref.studio.engine.events import (
     Stepped,
     Working,
 )
-from stylit_ref.studio.server.protocol import picture_bytes, said
+from stylit_ref.studio.server.protocol import picture_bytes, said, sentence
 from stylit_ref.studio.server.visitors import Visitor, Visitors
 
 _WORDS = {
@@ -41,7 +41,10 @@ class Telling:
         if isinstance(event, Picture):
             self._show(event)
             return
-        text = said(_WORDS[type(event)], asdict(event))
+        values = asdict(event)
+        if isinstance(event, Problem):
+            values["text"] = sentence(event.text)
+        text = said(_WORDS[type(event)], values)
         if isinstance(event, Compiling):
             self._compiling = text if event.done < event.total else None
         for visitor in self._visitors:

@@ -10,6 +10,7 @@ from starlette.routing import Route
 from stylit_ref.errors import InputError
 from stylit_ref.studio.scene_files.shelf import Shelf
 from stylit_ref.studio.server.png import THUMBNAIL, png_response
+from stylit_ref.studio.server.protocol import sentence
 
 _MOST = 512
 """Thumbnails that are kept."""
@@ -37,6 +38,6 @@ def thumbnail_route(shelf: Shelf) -> Route:
         try:
             return thumbnail(asked["scene"], asked["side"], asked["layer"])
         except InputError as error:
-            raise HTTPException(404, f"{error}.") from None
+            raise HTTPException(404, sentence(error)) from None
 
     return Route("/thumb/{scene}/{side}/{layer:path}", answer)

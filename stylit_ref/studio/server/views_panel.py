@@ -10,6 +10,7 @@ from starlette.routing import Route
 
 from stylit_ref.errors import InputError
 from stylit_ref.studio.server.panel import Panel
+from stylit_ref.studio.server.protocol import sentence
 
 _POLICY = (
     "sandbox allow-scripts allow-downloads; default-src 'none'; script-src 'unsafe-inline'; "
@@ -33,7 +34,7 @@ def views_panel(page: Callable[[], bytes]) -> Panel:
         try:
             content = page()
         except InputError as error:
-            raise HTTPException(404, f"{error}.") from None
+            raise HTTPException(404, sentence(error)) from None
         kind = "text/html; charset=windows-1252"
         return Response(content, headers={"Content-Security-Policy": _POLICY}, media_type=kind)
 

@@ -63,8 +63,10 @@ def live(background, ears):
 
 @pytest.fixture
 def begun(live, ears):
-    """After the first picture."""
+    """After the first picture, and all that follows it."""
     ears.picture("coherent")
+    live.look("style")
+    ears.picture("look")
     return live
 
 

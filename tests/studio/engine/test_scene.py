@@ -50,6 +50,14 @@ def test_what_does_not_go_together_is_refused(source, target, sentence):
         Scene("s", "S", source, [lambda: target]).target(0)
 
 
+def test_a_target_has_the_order_of_the_source():
+    colours = GREY.repeat(3, 2)
+    scene = Scene(
+        "s", "S", {"FULL": colours, "DEPTH": GREY}, [lambda: {"DEPTH": GREY, "FULL": colours}]
+    )
+    assert list(scene.target(0)) == ["FULL", "DEPTH"]
+
+
 def test_there_is_no_such_step():
     with pytest.raises(InputError, match="step is 2; it must be an integer from 0 to 1"):
         make_scene(2).target(2)

@@ -1,6 +1,8 @@
 """Pages at one desk: who paints, what the others see, what comes back after a restart."""
 
+import gc
 import struct
+import tracemalloc
 
 import numpy as np
 import pytest
@@ -193,7 +195,8 @@ async def test_what_the_engine_refuses_is_a_sentence(tmp_path):
         await page.hello()
         page.say(do="parameters", values={"levels": 0})
         text = (await page.said("problem"))["text"]
-        assert text == "levels is 0; it must be an integer from 1 to 12"
+        assert text == "levels is 0; it must be an integer from 1 to 12."
+        assert (await page.said("scene"))["parameters"]["values"]["levels"] == 6
         page.say(do="scene", name="three")
         assert "no scene 'three'" in (await page.said("problem"))["text"]
 
@@ -301,6 +304,30 @@ async def test_a_replaced_painting_is_kept(tmp_path):
         file = tmp_path / "painting" / "replaced" / "style_001.png"
         assert str(file) in kept
         assert np.array_equal(read_image(file), painted)
+
+
+@in_loop
+async def test_an_evening_of_strokes_leaves_no_memory_behind(tmp_path):
+    async with opened(tmp_path) as found:
+        page = found.socket()
+        await page.hello()
+
+        async def paint(serials):
+            for serial in serials:
+                page.bytes(stroke(serial, serial % 20, serial % 15))
+                page.say(do="rest", serial=serial)
+                await page.shown(1)
+                found.engine.calls.clear()
+            gc.collect()
+            return tracemalloc.get_traced_memory()[0]
+
+        tracemalloc.start()
+        try:
+            before = await paint(range(1, 200))
+            after = await paint(range(200, 1200))
+        finally:
+            tracemalloc.stop()
+        assert after - before < 2 * SIZE[0] * SIZE[1] * 3 + 50_000  # two paintings, at most
 
 
 @in_loop

@@ -1,14 +1,20 @@
 """Parts of the page that a studio may have or not."""
 
+import io
 import json
 
 import numpy as np
 import pytest
+from PIL import Image
 from studio.server.opened import in_loop, opened
+from studio.small_studio import HEIGHT, SIZE, WIDTH, small_shelf
 
 from stylit_ref import InputError
+from stylit_ref.studio.server.scan_panel import scan_panel
 from stylit_ref.studio.server.texture_panel import DroppedTexture, texture_panel
 from stylit_ref.studio.server.views_panel import views_panel
+from stylit_ref.studio.sheet.layout import layout_of
+from stylit_ref.studio.sheet.print_sheet import draw_sheet
 
 
 @in_loop
@@ -104,3 +110,69 @@ def test_a_dropped_patch_is_shown_and_stays_if_it_is_kept():
     assert np.array_equal(texture.picture, held)
     with pytest.raises(InputError):
         texture.dropped((0, 0), (10, 20), keep=True)
+
+
+def png(image):
+    """An image's file, as a page sends it."""
+    content = io.BytesIO()
+    image.save(content, format="PNG")
+    return content.getvalue()
+
+
+@in_loop
+async def test_a_scan_becomes_the_painting(tmp_path):
+    offer = small_shelf(tmp_path).first
+    painting = np.full((*SIZE, 3), (250, 40, 90), np.uint8)
+    layout = layout_of(WIDTH, HEIGHT)
+    place = tuple((side - own) // 2 for side, own in zip((2480, 3508), layout, strict=True))
+    painted = draw_sheet(offer.rendering(), offer.things()).convert("RGB")
+    painted.paste(Image.fromarray(painting).resize(layout), place)
+    async with opened(tmp_path, [scan_panel(offer)]) as found:
+        live = found.socket()
+        await live.hello()
+        pdf = await found.get("/sheet.pdf")
+        assert pdf.headers["content-type"] == "application/pdf"
+        assert pdf.body.startswith(b"%PDF")
+        early = await found.post("/scan/corners", b'{"corners": [[0,0],[9,0],[9,9],[0,9]]}')
+        assert (early.status, early.body) == (404, b"Send a photograph first.\n")
+        small = painted.resize((1240, 1754))
+        told = json.loads((await found.post("/scan", png(small))).body)
+        assert (told["width"], told["height"]) == (1240, 1754)
+        assert np.allclose(told["corners"][0], np.array(place) / 2, atol=2)
+        assert told["text"] in (await live.said("notes"))["texts"][0]
+        assert found.engine.calls[-1] == ("replace_painting", 1)
+        assert np.abs(found.engine.painting[8:16, 8:24].astype(int) - painting[0, 0]).max() < 30
+
+
+@in_loop
+async def test_a_photograph_without_marks_waits_for_its_corners(tmp_path):
+    offer = small_shelf(tmp_path).first
+    photograph = Image.new("RGB", (300, 200), (200, 100, 50))
+    async with opened(tmp_path, [scan_panel(offer)]) as found:
+        answer = await found.post("/scan", png(photograph))
+        told = json.loads(answer.body)
+        assert (answer.status, told["corners"]) == (200, None)
+        assert "marks" in told["text"]
+        wrong = await found.post("/scan/corners", b'{"corners": [[0,0],[0,0],[0,0],[0,0]]}')
+        assert wrong.status == 400
+        corners = [[20, 20], [270, 20], [270, 180], [20, 180]]
+        right = await found.post("/scan/corners", json.dumps({"corners": corners}).encode())
+        assert right.status == 200
+        assert found.engine.calls[-1] == ("replace_painting", 1)
+
+
+@pytest.mark.parametrize(
+    "body",
+    [b"", b"no photograph", b"\x89PNG\r\n\x1a\n" + bytes(50)],
+    ids=["empty", "text", "damaged"],
+)
+def test_what_is_no_photograph_is_a_sentence(tmp_path, body):
+    @in_loop
+    async def refused():
+        async with opened(tmp_path, [scan_panel(small_shelf(tmp_path).first)]) as found:
+            answer = await found.post("/scan", body)
+            assert answer.status == 400
+            assert answer.body.startswith(b"the photograph: ")
+            assert answer.body.endswith(b".\n")
+
+    refused()
