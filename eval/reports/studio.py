@@ -106,9 +106,9 @@ def _latency(browser, folder, options):
     def write(report):
         return [
             "## From the hand to the frame",
-            f"{options.strokes} strokes with brushes of all kinds, 60 places of the mouse a second; "
-            "each begins while `fast` is being made, which it cancels. *replay*: from the event of "
-            "the pointer to the first frame that is painted with a picture that shows it. "
+            f"{options.strokes} strokes with brushes of all kinds, 60 places of the mouse a "
+            "second. Each begins while `fast` is being made, which it cancels. *replay*: from the "
+            "event of the pointer to the first frame that is painted with a picture that shows it. "
             "*coherent*: from the end of the pause of 80 ms, or from lifting the brush, to the "
             "frame with the picture that is searched anew. The page takes these times itself.",
             table(_rounded(summary, "{:.1f}")),
@@ -189,7 +189,7 @@ def _memory(browser, folder, options):
     when = f"minute {late:.0f} over minute {early:.0f}"
     verdicts = _verdicts(
         (
-            f"memory of the {PARTS[part]}, {when}",
+            f"memory of {PARTS[part]}, {when}",
             f"{_MOST_GROWTH:+.0%}" + " in an hour" * (not is_whole),
             f"{grown[part]:+.1%}",
             verdict(grown[part] <= _MOST_GROWTH) if is_whole else OPEN,

@@ -12,10 +12,10 @@ EARLY, LATE = 10, 60
 """Minutes that are compared."""
 
 PARTS = {
-    "server": "server",
+    "server": "the server",
     "background": "its process in the background",
-    "page": "page",
-    "heap": "program of the page",
+    "page": "the page",
+    "heap": "the page's program",
 }
 """What is looked at, in words."""
 
