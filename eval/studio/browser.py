@@ -65,8 +65,8 @@ class Page:
         """What a script gives in the page."""
         return self.page.evaluate(script, argument)
 
-    def until(self, script):
-        """Wait until a script gives something true, and return it.
+    def until(self, script, argument=None):
+        """Wait until a script gives something true.
 
         Raises
         ------
@@ -74,11 +74,10 @@ class Page:
             If it takes minutes.
         """
         end = time.monotonic() + _LONGEST
-        while not (found := self.ask(script)):
+        while not self.ask(script, argument):
             if time.monotonic() > end:
                 raise InputError(f"the page did not come so far in {_LONGEST} s: {script}")
             time.sleep(_TICK)
-        return found
 
     def heap_mebibytes(self):
         """What its program holds after garbage has been collected; pixels are not counted."""

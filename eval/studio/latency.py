@@ -9,6 +9,8 @@ from eval.studio.hand import Hand
 _PAUSE = 0.08
 """Seconds after which the page takes a brush that is down for resting."""
 
+_MARGIN = 0.03
+
 _IS_FAST_GOING = "/fast \\d/.test(document.getElementById('working').textContent)"
 _IS_ANSWERED = """serial => stylitStudio.latency.times.some(
   (each) => each.which === "coherent" && each.serial >= serial
@@ -48,12 +50,15 @@ def latencies(page, strokes, rng, tell):
         time.sleep(rng.uniform(0, 0.05))
         hand.lower(int(rng.integers(6, 13)))
         if stroke % 2:
-            time.sleep(1.5 * _PAUSE)
+            _await_answer(page)
         hand.lift()
-        time.sleep(_PAUSE)
-        serial = page.ask(_SERIAL)
-        while not page.ask(_IS_ANSWERED, serial):
-            time.sleep(0.01)
+        _await_answer(page)
         rows += [{"stroke": stroke, **each} for each in page.ask(_TAKE)]
         tell()
     return pd.DataFrame(rows)[["stroke", "which", "milliseconds"]]
+
+
+def _await_answer(page):
+    """Wait until the page shows a picture that was searched after the brush had paused."""
+    time.sleep(_PAUSE + _MARGIN)
+    page.until(_IS_ANSWERED, page.ask(_SERIAL))
