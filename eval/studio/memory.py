@@ -148,24 +148,26 @@ def memory(browser, server, page, minutes, rng, tell=print):
     Returns
     -------
     pandas.DataFrame
-        A row for each minute: ``minute``, and MiB of ``server``, ``background``, ``page`` and
-        ``heap`` at its end, when all rests at the first scene.
+        A row for each minute: ``minute``, ``deeds`` since the last, and MiB of ``server``,
+        ``background``, ``page`` and ``heap`` at its end, when all rests at the first scene.
     """
     page.until(PICTURE)
     painter, rows, start = Painter(page, rng), [], time.monotonic()
     while (begun := time.monotonic() - start) < 60 * minutes:
         end = start + min(begun + 60, 60 * minutes)
+        deeds = 0
         while time.monotonic() < end:
             painter.act()
+            deeds += 1
         painter.come_back()
         heap = page.heap_mebibytes()
         minute = (time.monotonic() - start) / 60
-        rows.append((minute, *server.mebibytes(), browser.mebibytes(), heap))
+        rows.append((minute, deeds, *server.mebibytes(), browser.mebibytes(), heap))
         tell(
-            "minute {:.1f}: server {:.0f} MiB, background {:.0f} MiB, page {:.0f} MiB, of which "
-            "its program {:.1f} MiB".format(*rows[-1])
+            "minute {:.1f}: {} deeds; server {:.0f} MiB, background {:.0f} MiB, page {:.0f} MiB, "
+            "of which its program {:.1f} MiB".format(*rows[-1])
         )
-    return pd.DataFrame(rows, columns=["minute", *PARTS])
+    return pd.DataFrame(rows, columns=["minute", "deeds", *PARTS])
 
 
 def growth(frame, part, early=EARLY, late=LATE):
