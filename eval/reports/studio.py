@@ -6,6 +6,7 @@ server is the command's. It needs Chromium, and Playwright of the extra "test".
 
 import os
 import tempfile
+from contextlib import contextmanager
 from pathlib import Path
 
 import numpy as np
@@ -60,9 +61,11 @@ def main(options):
     if options.minutes <= 0 or options.strokes < 1:
         raise InputError("--minutes must be above 0, and --strokes at least 1")
     folder = shared.folder_of(options, "studio")
-    processors = os.sched_getaffinity(0)
-    os.sched_setaffinity(0, sorted(processors)[:PROCESSORS])  # children inherit it
-    with open_browser() as browser, tempfile.TemporaryDirectory() as workplace:
+    with (
+        _few_processors() as processors,
+        open_browser() as browser,
+        tempfile.TemporaryDirectory() as workplace,
+    ):
         parts = [
             _PARTS[part](browser, Path(workplace) / part, options)
             for part in _PARTS
@@ -74,7 +77,7 @@ def main(options):
         sections = [
             provenance(),
             f"{name}, a window of 1280x800 without a screen; browser, server and the program that "
-            f"leads the hand share {min(PROCESSORS, len(processors))} processors. "
+            f"leads the hand share {processors} processors. "
             f"Scene: the bundled turntable, 500x500.",
             report.table("verdicts", verdicts, verdicts),
         ]
@@ -82,6 +85,18 @@ def main(options):
             sections += write(report)
         report.page("The studio, measured", sections)
     return shown(folder)
+
+
+@contextmanager
+def _few_processors():
+    """Use so many at most, and have all programs that are started do so; yields how many."""
+    processors = os.sched_getaffinity(0)
+    used = sorted(processors)[:PROCESSORS]
+    os.sched_setaffinity(0, used)
+    try:
+        yield len(used)
+    finally:
+        os.sched_setaffinity(0, processors)
 
 
 def _latency(browser, folder, options):
@@ -184,9 +199,9 @@ def _memory(browser, folder, options):
     with serve(folder) as server, browser.page(server.address) as page:
         frame = memory(browser, server, page, options.minutes, rng, tell=tqdm.write)
     is_whole = frame["minute"].iloc[-1] >= LATE
-    early, late = (EARLY, LATE) if is_whole else (1, frame["minute"].iloc[-1])
+    early, late = (EARLY, LATE) if is_whole else frame["minute"].iloc[[0, -1]]
     grown = {part: growth(frame, part, early, late) for part in PARTS}
-    when = f"minute {late:.0f} over minute {early:.0f}"
+    when = f"minute {late:.3g} over minute {early:.3g}"
     verdicts = _verdicts(
         (
             f"memory of {PARTS[part]}, {when}",

@@ -19,6 +19,8 @@ PARTS = {
 }
 """What is looked at, in words."""
 
+_LEAST_ROWS = 3
+
 _RESTS = 1.5
 """Seconds until a scene that is chosen is there."""
 
@@ -141,21 +143,23 @@ def memory(browser, server, page, minutes, rng, tell=print):
     server : eval.studio.server.Server
     page : eval.studio.browser.Page
     minutes : float
+        How long somebody paints; it takes a little longer.
     rng : numpy.random.Generator
     tell : callable
-        Called with a line of text each minute.
+        Called with a line of text for each row.
 
     Returns
     -------
     pandas.DataFrame
-        A row for each minute: ``minute``, ``deeds`` since the last, and MiB of ``server``,
-        ``background``, ``page`` and ``heap`` at its end, when all rests at the first scene.
+        A row for each minute, or for each third of a shorter time: ``minute``, ``deeds`` since the
+        last, and MiB of ``server``, ``background``, ``page`` and ``heap`` at its end, when all
+        rests at the first scene.
     """
     page.until(PICTURE)
     painter, rows, start = Painter(page, rng), [], time.monotonic()
-    while (begun := time.monotonic() - start) < 60 * minutes:
-        end = start + min(begun + 60, 60 * minutes)
-        deeds = 0
+    part = min(60, 60 * minutes / _LEAST_ROWS)
+    for _ in range(round(60 * minutes / part)):
+        deeds, end = 0, time.monotonic() + part
         while time.monotonic() < end:
             painter.act()
             deeds += 1

@@ -1,7 +1,6 @@
 """A studio that is served by the command."""
 
 import os
-import signal
 import subprocess
 import sys
 from contextlib import contextmanager
@@ -68,7 +67,7 @@ def serve(folder, kernels=None):
                 raise InputError(f"the studio does not start: {log.read_text()[-300:].strip()}")
             yield Server(process, line.split()[-1])
         finally:
-            process.send_signal(signal.SIGINT)
+            process.terminate()
             try:
                 process.wait(_PATIENCE)
             except subprocess.TimeoutExpired:
