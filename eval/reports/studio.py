@@ -50,6 +50,10 @@ def add_options(parser):
         "--strokes", type=int, default=STROKES,
         help=f"strokes that are timed (default {STROKES})",
     )  # fmt: skip
+    parser.add_argument(
+        "--starts", type=int, default=STARTS,
+        help=f"starts with either kind of kernels, whose medians count (default {STARTS})",
+    )  # fmt: skip
     shared.add_seed(parser)
     shared.add_output(parser, "studio")
 
@@ -58,8 +62,8 @@ def main(options):
     """Make the report; returns the exit code."""
     if not hasattr(os, "sched_setaffinity"):
         raise InputError("the studio's processes can only be measured on Linux")
-    if options.minutes <= 0 or options.strokes < 1:
-        raise InputError("--minutes must be above 0, and --strokes at least 1")
+    if options.minutes <= 0 or min(options.strokes, options.starts) < 1:
+        raise InputError("--minutes must be above 0, --strokes and --starts at least 1")
     folder = shared.folder_of(options, "studio")
     with (
         _few_processors() as processors,
@@ -162,11 +166,13 @@ def latency_summary(frame):
 
 def _start(browser, folder, options):
     folder.mkdir()
-    rows = []
+    rows, last = [], options.starts - 1
     for kind in ("cold", "warm"):
-        for number in tqdm(range(STARTS), desc=f"{kind} kernels", unit="start", disable=None):
-            kernels = folder / f"kernels_{number if kind == 'cold' else STARTS - 1}"
-            fills = kind == "cold" and number == STARTS - 1
+        for number in tqdm(
+            range(options.starts), desc=f"{kind} kernels", unit="start", disable=None
+        ):
+            kernels = folder / f"kernels_{number if kind == 'cold' else last}"
+            fills = kind == "cold" and number == last
             painting = folder / f"{kind}_{number}"
             rows.append((kind, *start_times(browser, painting, kernels, fills=fills)))
     frame = pd.DataFrame(rows, columns=["kernels", "page [s]", "picture [s]"])
@@ -187,7 +193,8 @@ def _start(browser, folder, options):
         return [
             "## The start",
             f"Seconds from the command's start, with a browser that is open already; medians of "
-            f"{STARTS} for either kind of kernels.",
+            f"{options.starts} for either kind of kernels. Cold: each start compiles into an empty "
+            "folder. Warm: all start with what the last of those has compiled.",
             report.table("start", frame, _rounded(frame, "{:.2f}")),
         ]
 
