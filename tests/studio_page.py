@@ -26,17 +26,17 @@ class StudioPage:
     def __init__(self, page):
         self.page = page
 
-    def until(self, script, wanted=True):
+    def until(self, script, wanted=True, seconds=10):
         """Wait until a script gives what is wanted. The page's policy forbids Playwright's way."""
-        end = time.monotonic() + 10
+        end = time.monotonic() + seconds
         while (found := self.page.evaluate(script)) != wanted:
             assert time.monotonic() < end, f"{script} gives {found!r}"
             time.sleep(0.01)
 
-    def started(self):
-        """Wait until it has the painting, the picture, and leave to send; returns itself."""
+    def started(self, seconds=10):
+        """Wait until it has the painting and the picture; returns itself."""
         self.until("!!window.stylitStudio?.session.painting")
-        self.until("document.getElementById('empty').hidden")
+        self.until("document.getElementById('empty').hidden", seconds=seconds)
         return self
 
     def unfold(self):

@@ -8,7 +8,7 @@ import numpy as np
 from eval.on_processor import OnProcessor
 from eval.outcome import Outcome
 from stylit_ref.realtime import passes
-from stylit_ref.realtime.packing import PrincipalPacking, StagePacking, UnpackedStage, pack
+from stylit_ref.realtime.packing import choose_packing, pack
 from stylit_ref.realtime.packing.stage import STAGE_BUFFERS
 from stylit_ref.realtime.params import RealtimeParams
 from stylit_ref.realtime.session import Session
@@ -75,7 +75,7 @@ class Frames:
         source = {name: scene.buffers[name][0] for name in STAGE_BUFFERS}
         self.show(scene)
         self.source_size = scene.style.shape[:2]
-        self.packing = _packing(params.packing, source)
+        self.packing = choose_packing(source, params.packing)
         self.session = Session(params, seed=seed, threads=threads, passes=passes)
         self.source_guides, labels = pack(self.packing, source)
         self.session.set_exemplar(self.source_guides, scene.style, labels)
@@ -153,9 +153,3 @@ def of_every_pixel(entries, step, size, source_size):
         axis=2,
     )
     return (entries[rows, columns] + offsets).clip(0, np.array(source_size) - 1).astype(np.int32)
-
-
-def _packing(name, source):
-    if name == "pca":
-        return PrincipalPacking.of_source(source)
-    return StagePacking() if name == "packed" else UnpackedStage()

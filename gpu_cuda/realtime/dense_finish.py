@@ -17,7 +17,7 @@ from gpu_cuda.realtime.formulae import (
     packed,
     row_of,
 )
-from gpu_cuda.realtime.image import IMAGE
+from gpu_cuda.realtime.image import BYTES, IMAGE
 from gpu_cuda.realtime.labels import LABELS
 from gpu_cuda.realtime.search import WEIGHTS, make_energy
 from stylit_ref.machine.vector_patch import STYLE_LANES
@@ -30,9 +30,9 @@ def make_dense_kernel(width, step, lanes):
     energy, radius = make_energy(width, width, lanes), width // 2
 
     @cuda.jit
-    def dense_nnf_kernel(nnf, source, guides, style, weights, labels, source_labels, out):
+    def dense_nnf_kernel(nnf, source, guides, style, weights, labels, source_labels, out, stop):
         x, y = cuda.grid(2)
-        if y >= out.shape[0] or x >= out.shape[1]:
+        if y >= out.shape[0] or x >= out.shape[1] or stop[0]:
             return
         first_y, last_y = first_centre(source.height, radius), last_centre(source.height, radius)
         first_x, last_x = first_centre(source.width, radius), last_centre(source.width, radius)
@@ -66,10 +66,10 @@ def make_dense_kernel(width, step, lanes):
 
 
 @cuda.jit
-def vote_kernel(nnf, style, out, radius):
+def vote_kernel(nnf, style, out, radius, stop):
     x, y = cuda.grid(2)
     height, width = nnf.shape
-    if y >= height or x >= width:
+    if y >= height or x >= width or stop[0]:
         return
     above, below = max(y - radius, 0), min(y + radius, height - 1)
     before, after = max(x - radius, 0), min(x + radius, width - 1)
@@ -87,18 +87,18 @@ def vote_kernel(nnf, style, out, radius):
 
 def kernels(sizes):
     """Every kernel's name, the kernel and the types of its arguments."""
-    arguments = MAP, IMAGE, IMAGE, IMAGE, WEIGHTS, LABELS, LABELS, MAP
+    arguments = MAP, IMAGE, IMAGE, IMAGE, WEIGHTS, LABELS, LABELS, MAP, BYTES
     yield "realtime: dense matches", make_dense_kernel(5, 3, 16), arguments
-    yield "realtime: vote", vote_kernel, (MAP, IMAGE, PICTURE, INT)
+    yield "realtime: vote", vote_kernel, (MAP, IMAGE, PICTURE, INT, BYTES)
 
 
 def make_dense_nnf(width, step, lanes):
     """As :func:`stylit_ref.realtime.passes.make_dense_nnf`."""
     kernel = make_dense_kernel(width, step, lanes)
 
-    def dense_nnf(nnf, source, guides, style, weights, labels, source_labels, out):
+    def dense_nnf(nnf, source, guides, style, weights, labels, source_labels, out, stop):
         launch(
-            kernel, out.shape, nnf, source, guides, style, weights, labels, source_labels, out
+            kernel, out.shape, nnf, source, guides, style, weights, labels, source_labels, out, stop
         )  # fmt: skip
 
     return dense_nnf
@@ -107,7 +107,7 @@ def make_dense_nnf(width, step, lanes):
 def make_vote(width):
     """As :func:`stylit_ref.realtime.passes.make_vote`."""
 
-    def vote(nnf, style, out):
-        launch(vote_kernel, nnf.shape, nnf, style, out, width // 2)
+    def vote(nnf, style, out, stop):
+        launch(vote_kernel, nnf.shape, nnf, style, out, width // 2, stop)
 
     return vote

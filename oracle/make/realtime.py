@@ -129,12 +129,16 @@ RENEWALS = {
 }
 """How the images of each renewal differ from the plain ones."""
 
+TURNED = {"source": (20, 30), "target": (24, 30), "levels": 4, "warm_radius": 1}
+
 WARM = {
     **{name: FRAMES[name] for name in ("best", "quick", "optimized", "bilinear", "labels")},
     "one_level": FRAMES["one_level"],
-    "turned": {"source": (20, 30), "target": (24, 30), "levels": 4},
+    **{f"turned_{n}": TURNED | {"iterations": (0, n)} for n in (2, 3)},
     "not_renewed": {"renewal_level": 0},
     "unread_guides": {"mu": (16,)},
+    "held_back": {"warm_mu": 9, "warm_radius": 2, "iterations": (2, 3)},
+    "style_alone": {"warm_mu": 16, "warm_radius": 0},
 }
 """How each warm frame differs from that of ``best``. The target moves a little, or turns around."""
 
@@ -179,13 +183,14 @@ def _inputs():
     for number, (name, differences) in enumerate(RENEWALS.items()):
         yield "renew", name, *_renewal(900 + number, **differences)
     for number, (name, differences) in enumerate(WARM.items()):
-        parameters, arrays = _frame(300 + number, **{"renewal_level": 2} | differences)
-        if name == "turned":  # two halves, which change places
+        usual = {"renewal_level": 2, "warm_mu": 2, "warm_radius": 16}
+        parameters, arrays = _frame(300 + number, **usual | differences)
+        if name.startswith("turned"):  # two halves, which change places
             for side in ("source_guides", "target_guides"):
                 arrays[side] = arrays[side] % 9
                 arrays[side][:, : arrays[side].shape[1] // 2] += 200
         before = answer("frame", parameters, arrays)
-        if name == "turned":
+        if name.startswith("turned"):
             arrays["target_guides"] = arrays["target_guides"][:, ::-1]
         sides = [name for name in arrays if name.startswith("target")]
         arrays |= {side: np.roll(arrays[side], 1, axis=1) for side in sides}

@@ -114,8 +114,10 @@ def _read(image, y, x, shape, lanes):
 def _energy(passes, parameters, arrays):
     """From the bytes that a search reads, and its weights."""
     level = level_of(passes, parameters, arrays)
-    layout, (guides, style, spacing) = level.exemplar.layout, level.target.read_at(0)
-    shape, lanes, source = layout.patch_shape, layout.lanes_read(0), level.exemplar.read_at(0)
+    layout = level.exemplar.layout
+    guides, style, spacing = level.target.read_at(0, layout)
+    shape, lanes = layout.patch_shape, layout.lanes_read(0)
+    source = level.exemplar.read_at(0, layout)
     weights = level.refinement.by_level[0][: shape[1] * lanes].reshape(shape[1], lanes)
     energy = np.empty(level.target.grids[0], np.int32)
     for entry in np.ndindex(energy.shape):
@@ -133,13 +135,13 @@ def _search(passes, parameters, arrays):
     level = level_of(passes, parameters, arrays)
     layout = level.exemplar.layout
     lanes, nnf = layout.lanes_read(0), entries_of(arrays["nnf"])
-    guides, style, _ = level.target.read_at(0)
+    guides, style, _ = level.target.read_at(0, layout)
     stream = random_stream(
         parameters["seed"], REALTIME_SEARCH, parameters["level"], parameters["iteration"],
         parameters["half"],
     )  # fmt: skip
     passes.make_search(*layout.patch_shape, lanes)(
-        nnf, level.exemplar.read_at(0), guides, style, level.refinement.by_level[0],
+        nnf, level.exemplar.read_at(0, layout), guides, style, level.refinement.by_level[0],
         grid_of(level), stream, parameters["half"], parameters["radius"], np.zeros(1, np.uint8),
     )  # fmt: skip
     return {"nnf": places_of(nnf)}
@@ -173,13 +175,15 @@ def _upsample_picture(passes, parameters, arrays):
 
 def _dense_nnf(passes, parameters, arrays):
     level = level_of(passes, parameters, arrays)
-    params, lanes = level.exemplar.layout.params, level.exemplar.layout.lanes_read(0)
-    guides, style, _ = level.target.read_at(0)
+    layout = level.exemplar.layout
+    params, lanes = layout.params, layout.lanes_read(0)
+    guides, style, _ = level.target.read_at(0, layout)
     labels = arrays.get("target_labels", np.zeros((0, 0), np.uint8))
     dense = np.empty(level.target.size, np.int32)
     passes.make_dense_nnf(params.patch_width, params.step, lanes)(
-        entries_of(arrays["nnf"]), level.exemplar.read_at(0), guides, style,
+        entries_of(arrays["nnf"]), level.exemplar.read_at(0, layout), guides, style,
         level.refinement.by_level[0], labels, level.exemplar.labels[0], dense,
+        np.zeros(1, np.uint8),
     )  # fmt: skip
     return {"dense": places_of(dense)}
 
@@ -188,7 +192,9 @@ def _vote(passes, parameters, arrays):
     params = params_of(parameters)
     style = style_image(passes, arrays["source_style"], Layout(params, 1, passes))
     picture = np.empty((*arrays["dense"].shape[:2], 3), np.uint8)
-    passes.make_vote(params.patch_width)(entries_of(arrays["dense"]), style, picture)
+    passes.make_vote(params.patch_width)(
+        entries_of(arrays["dense"]), style, picture, np.zeros(1, np.uint8)
+    )
     return {"picture": picture}
 
 

@@ -21,6 +21,7 @@ LABELS = "decimate_labels", "free_lost_labels"
 SHAPING = (
     "patch_width", "spacing", "levels", "mu", "terms", "iterations", "radii", "start",
     "scale_space", "depth", "means", "renewal_level",
+    "warm_mu", "warm_radius",
 )  # fmt: skip
 """The parameters of a case that are those of the library."""
 
@@ -62,7 +63,8 @@ def level_of(passes, parameters: dict, arrays: dict) -> Level:
 
 def grid_of(level: Level) -> Grid:
     """The entries of a level as the search takes them."""
-    layout, spacing = level.exemplar.layout, level.target.read_at(0)[2]
+    layout = level.exemplar.layout
+    spacing = level.target.read_at(0, layout)[2]
     labels = level.target.labels[0], level.exemplar.labels[0]
     return Grid(layout.params.step, spacing, layout.margin, *labels)
 

@@ -51,6 +51,7 @@ class Exemplar:
         self.sizes = sizes = layout.sizes(height, width)
         self.style = [make_image(*size, layout.border, STYLE_LANES) for size in sizes]
         self.both = [make_image(*size, layout.border, layout.lanes) for size in sizes]
+        self._joined: set[int] = set()
         self.records: list[Image] = []
         if layout.params.scale_space:
             self.records = [
@@ -75,19 +76,27 @@ class Exemplar:
     def join(self) -> None:
         """Put A' beside A, and make the records of both; to be called after a change of either."""
         layout = self.layout
-        passes, params = layout.passes, layout.params
+        params = layout.params
         mips = params.depth - 1 if params.scale_space and params.means == "mip" else 0
+        self._joined = set()
         for level in range(len(self.both)):
             if any(
                 params.reads_guides(below)
                 for below in range(max(level - mips, 0), min(level + 1, params.levels))
             ):
-                image = self.style[level]
-                rows = image.height + 2 * image.border
-                passes.make_insert_style(layout.lanes)(image, self.both[level], 0, rows)
+                self.join_level(level)
         for level, records in enumerate(self.records):
             pixels = self.both if params.reads_guides(level) else self.style
             layout.make_records(pixels, level, 1, records, layout.lanes_read(level))
+
+    def join_level(self, level: int) -> None:
+        """Put A' beside A at a level, if that is not done; warm frames read more levels."""
+        if level in self._joined:
+            return
+        image = self.style[level]
+        rows = image.height + 2 * image.border
+        self.layout.passes.make_insert_style(self.layout.lanes)(image, self.both[level], 0, rows)
+        self._joined.add(level)
 
     def set_labels(self, labels: NDArray[np.uint8] | None) -> None:
         """(height, width), or None."""
@@ -110,11 +119,14 @@ class Exemplar:
             self.labels.append(there)
             self.has_label.append(present)
 
-    def read_at(self, level: int) -> Image:
-        """What the search of a level reads."""
+    def read_at(self, level: int, layout: Layout) -> Image:
+        """What the search of a level reads by the parameters of a layout."""
         if self.records:
             return self.records[level]
-        return (self.both if self.layout.params.reads_guides(level) else self.style)[level]
+        if layout.params.reads_guides(level):
+            self.join_level(level)
+            return self.both[level]
+        return self.style[level]
 
     def _halve(self, images, lanes):
         for fine, coarse in pairwise(images):

@@ -11,6 +11,8 @@ from stylit_ref.realtime.passes.image import Image
 from stylit_ref.realtime.refinement import Refinement
 from stylit_ref.realtime.target import Target
 
+_NEVER = np.zeros(1, np.uint8)
+
 
 class FrameInputs(NamedTuple):
     """Source, target and energy.
@@ -40,26 +42,34 @@ class FrameInputs(NamedTuple):
         blend(nnf, self.exemplar.style[level], out)
         return picture
 
-    def dense_nnf(self, nnf: NDArray[np.int32]) -> NDArray[np.int32]:
-        """An entry for every pixel, (H_B, W_B): the best of those around it."""
+    def dense_nnf(
+        self, nnf: NDArray[np.int32], stop: NDArray[np.uint8] = _NEVER
+    ) -> NDArray[np.int32]:
+        """An entry for every pixel, (H_B, W_B): the best of those around it.
+
+        It is not finished if ``stop``, (1,), is no longer 0.
+        """
         exemplar, target = self.exemplar, self.target
         passes, params = exemplar.layout.passes, exemplar.layout.params
         passes.make_blend(params.patch_width, params.step, STYLE_LANES)(
             nnf, exemplar.style[0], target.picture[0]
         )
-        guides, picture, _ = target.read_at(0)
+        guides, picture, _ = target.read_at(0, exemplar.layout)
         labels = np.zeros((0, 0), np.uint8) if self.labels is None else self.labels
         dense = np.empty(target.size, np.int32)
         lanes = exemplar.layout.lanes_read(0)
         passes.make_dense_nnf(params.patch_width, params.step, lanes)(
-            nnf, exemplar.read_at(0), guides, picture, self.refinement.by_level[0], labels,
-            exemplar.labels[0], dense,
+            nnf, exemplar.read_at(0, exemplar.layout), guides, picture,
+            self.refinement.by_level[0], labels, exemplar.labels[0], dense, stop,
         )  # fmt: skip
         return dense
 
-    def voted(self, dense: NDArray[np.int32]) -> NDArray[np.uint8]:
-        """B', (H_B, W_B, 3), from an entry for every pixel."""
+    def voted(
+        self, dense: NDArray[np.int32], stop: NDArray[np.uint8] = _NEVER
+    ) -> NDArray[np.uint8]:
+        """B', (H_B, W_B, 3), from an entry for every pixel; ``stop`` as above."""
         layout = self.exemplar.layout
         picture = np.empty((*dense.shape, 3), np.uint8)
-        layout.passes.make_vote(layout.params.patch_width)(dense, self.exemplar.style[0], picture)
+        vote = layout.passes.make_vote(layout.params.patch_width)
+        vote(dense, self.exemplar.style[0], picture, stop)
         return picture

@@ -1,6 +1,7 @@
 """Parameters of stylization in real time."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 from stylit_ref.errors import InputError
@@ -61,6 +62,11 @@ class RealtimeParams:
     renewal_level : int
         The level of a warm frame whose matches, searched from nothing, replace those of the last
         frame that have grown old; 0 for none.
+    warm_mu : int
+        μ at level 0 of a warm frame; in scale space that of ``mu``, which the records are made for.
+        A search by style alone would hold on to matches that have grown old.
+    warm_radius : int
+        The largest radius of the random search at level 0 of a warm frame.
     dense_finish : bool
         Give every pixel the best match of the entries around it at the end, and average all patches
         over it: less energy, but slower. Not with ``scale_space``.
@@ -85,11 +91,11 @@ class RealtimeParams:
         "sums", Choice(TERMS), "how channels count: as sums, or as the mean of each term"
     )
     iterations: tuple[int, ...] = parameter(
-        (1, 3, 4, 8), Several(Integer(0, 1000), "iterations of level"),
+        (1, 4, 6, 8), Several(Integer(0, 1000), "iterations of level"),
         "iterations by level, finest first",
     )  # fmt: skip
     radii: tuple[int, ...] = parameter(
-        (4, 16, EVERYWHERE), Several(Integer(0, EVERYWHERE), "radius of level"),
+        (8, 16, EVERYWHERE), Several(Integer(0, EVERYWHERE), "radius of level"),
         f"largest search radius by level, finest first; {EVERYWHERE} for everywhere",
     )  # fmt: skip
     start: str = parameter(
@@ -104,6 +110,14 @@ class RealtimeParams:
         "level of a warm frame that is searched anew, to replace matches that have grown old; 0 "
         "for none",
     )  # fmt: skip
+    warm_mu: int = parameter(
+        2,
+        Integer(0, MU_ONE),
+        "weight of the style in sixteenths at the finest level, in warm frames",
+    )
+    warm_radius: int = parameter(
+        16, Integer(0, EVERYWHERE), "largest search radius at the finest level, in warm frames"
+    )
     dense_finish: bool = parameter(False, Flag(), "end with a match for every pixel; slower")
     labels: bool = parameter(True, Flag(), "match only pixels of the same label")
     packing: str = parameter(
@@ -163,6 +177,20 @@ class RealtimeParams:
         return min(max(height, width) // 2, _at(self.radii, level))
 
     @property
+    def of_warm_frames(self) -> "RealtimeParams":
+        """Those by which a warm frame searches: coarse levels serve renewal alone, and do half."""
+        mu, iterations, radii = (
+            [at(level) for level in range(self.levels)]
+            for at in (self.mu_at, self.iterations_at, partial(_at, self.radii))
+        )
+        return replace(
+            self,
+            mu=tuple(mu if self.scale_space else [self.warm_mu, *mu[1:]]),
+            iterations=(iterations[0], *((count + 1) // 2 for count in iterations[1:])),
+            radii=(self.warm_radius, *radii[1:]),
+        )
+
+    @property
     def renewed_from(self) -> int:
         """The level from which a warm frame renews matches; 0 if none, or if it reads no guides."""
         level = min(self.renewal_level, self.levels - 1)
@@ -189,7 +217,7 @@ _THESIS = {
 REALTIME_PRESETS: dict[str, dict[str, Any]] = {
     "best": {},
     "quick": {
-        "mu": (16, 4, 4, 4, 0), "iterations": (1, 2, 2, 4, 8), "radii": (0, 4, 16, EVERYWHERE),
+        "mu": (16, 4, 4, 4, 0), "iterations": (1, 3, 4, 8), "radii": (0, 4, 16, EVERYWHERE),
     },
     "simple": _THESIS,
     "optimized": {**_THESIS, "scale_space": True},

@@ -1,7 +1,7 @@
 """What a level does (algorithms 4 and 5): begin with the level above, then search and blend."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -65,6 +65,19 @@ class Refinement:
         while level > 0 and not params.reads_style(level - 1):
             level -= 1
         return max(level, 1)
+
+
+class Refinements(NamedTuple):
+    """Energies of cold frames and of warm ones."""
+
+    cold: Refinement
+    warm: Refinement
+
+    @classmethod
+    def of(cls, layout: Layout, weights: tuple[int, ...]) -> "Refinements":
+        """Those of a layout; raises as :class:`Refinement` does."""
+        warm = replace(layout, params=layout.params.of_warm_frames)
+        return cls(Refinement(layout, weights), Refinement(warm, weights))
 
 
 class Operation(NamedTuple):
@@ -139,13 +152,13 @@ def refining(
     Operation
         What comes next; it is done when the one after it is asked for.
     """
-    layout = exemplar.layout
+    layout = refinement.layout
     passes, params = layout.passes, layout.params
     search = passes.make_search(*layout.patch_shape, layout.lanes_read(level))
     blend = passes.make_blend(params.patch_width, params.step, STYLE_LANES)
-    source, style = exemplar.read_at(level), exemplar.style[level]
-    guides, picture, _ = target.read_at(level)
-    grid = _grid(exemplar, target, level)
+    source, style = exemplar.read_at(level, layout), exemplar.style[level]
+    guides, picture, _ = target.read_at(level, layout)
+    grid = _grid(exemplar, target, layout, level)
     radius = params.radius_at(level, *exemplar.sizes[level])
     iterations = params.iterations_at(level)
     reads_style = params.reads_style(level)
@@ -181,16 +194,15 @@ def renew(
     level: int,
 ) -> None:
     """Renew the matches of level 0 that have grown old, from those of a coarser level."""
-    layout = exemplar.layout
-    guides, picture, _ = target.read_at(level)
+    layout = refinement.layout
+    guides, picture, _ = target.read_at(level, layout)
     layout.passes.make_renew(*layout.patch_shape, layout.lanes_read(level))(
-        nnf[0], nnf[level], level, exemplar.read_at(level), guides, picture,
-        refinement.guides_alone, _grid(exemplar, target, level), *exemplar.size,
-        _grid(exemplar, target, 0),
+        nnf[0], nnf[level], level, exemplar.read_at(level, layout), guides, picture,
+        refinement.guides_alone, _grid(exemplar, target, layout, level), *exemplar.size,
+        _grid(exemplar, target, layout, 0),
     )  # fmt: skip
 
 
-def _grid(exemplar, target, level):
-    layout = exemplar.layout
+def _grid(exemplar, target, layout, level):
     labels = target.labels[level], exemplar.labels[level]
-    return Grid(layout.params.step, target.read_at(level)[2], layout.margin, *labels)
+    return Grid(layout.params.step, target.read_at(level, layout)[2], layout.margin, *labels)

@@ -29,7 +29,7 @@ from stylit_ref.realtime.frame_inputs import FrameInputs
 from stylit_ref.realtime.layout import Layout
 from stylit_ref.realtime.params import RealtimeParams, as_realtime_params
 from stylit_ref.realtime.refinement import (
-    Refinement,
+    Refinements,
     refine,
     renew,
     start_level,
@@ -83,7 +83,7 @@ class Session:
         self._passes = passes
         self._stop, self._cancelled = np.zeros(1, np.uint8), 0
         self._exemplar: Exemplar | None = None
-        self._refinement: Refinement | None = None
+        self._refinements: Refinements | None = None
         self._target: Target | None = None
         self._viewed: Target | None = None  # what a caller writes to while the target is whole
         self._nnf: list[NDArray[np.int32]] = []
@@ -132,7 +132,7 @@ class Session:
                 )  # fmt: skip
                 self._check_known(labels, self._labels, "source_labels")
             layout = Layout(self.params, guides.shape[2], self._passes)
-            refinement = Refinement(layout, self._weights_for(layout.channels))
+            refinements = Refinements.of(layout, self._weights_for(layout.channels))
             # There is none if an interruption comes before the last line: never half of one.
             exemplar, self._exemplar = self._exemplar, None
             if exemplar is None or (exemplar.size, exemplar.layout) != (size, layout):
@@ -143,7 +143,7 @@ class Session:
             exemplar.set_labels(labels)
             if self._target is not None:
                 self._target.set_labels(self._labels, exemplar.has_label)
-            self._refinement, self._kept = refinement, None
+            self._refinements, self._kept = refinements, None
             self._exemplar = exemplar
 
     def set_style(self, style: NDArray[np.uint8]) -> None:
@@ -240,7 +240,7 @@ class Session:
         """
         with self.turn():
             layout = self._needs_exemplar().layout
-            self._refinement = Refinement(layout, check_weights(weights, layout.channels))
+            self._refinements = Refinements.of(layout, check_weights(weights, layout.channels))
             self._kept = None
 
     def frame(self, *, warm: bool = False, seed: int | None = None) -> NDArray[np.uint8]:
@@ -282,37 +282,39 @@ class Session:
             if self._cancelled != cancelled:  # while the frame waited for its turn
                 self._stop[0] = 1
                 self._heed_cancel()
+            refinement = self._refinements.warm if warm else self._refinements.cold
             levels, last = self.params.levels, 0
             top = levels - 1 if kept is None else kept - 1
             if warm:
                 last = self.params.renewed_from
-                top = top if last else -1
+                top = levels - 1 if last else -1
             nnf = [np.empty(grid, np.int32) for grid in target.grids[: top + 1]]
             nnf += self._nnf[top + 1 :]
             with self._threads_for((warm, top)):
                 for level in range(top, last - 1, -1):
                     with using_threads(threads_of_level(target, level)):
                         start_level(exemplar, nnf, level, seed)
-                        refine(exemplar, target, self._refinement, nnf, level, seed, self._stop)
+                        refine(exemplar, target, refinement, nnf, level, seed, self._stop)
                     self._heed_cancel()
                 if warm:
                     nnf[0] = self._nnf[0].copy()
                     with using_threads(threads_of_level(target, 0)):
                         if last:
-                            renew(exemplar, target, self._refinement, nnf, last)
+                            renew(exemplar, target, refinement, nnf, last)
                         # Coarser levels may be those of another target.
-                        refine(exemplar, target, self._refinement, nnf[:1], 0, seed, self._stop)
+                        refine(exemplar, target, refinement, nnf[:1], 0, seed, self._stop)
                     self._heed_cancel()
-                inputs = self.inputs
-                dense = inputs.dense_nnf(nnf[0]) if self.params.dense_finish else None
+                inputs, stop = self.inputs, self._stop
+                dense = inputs.dense_nnf(nnf[0], stop) if self.params.dense_finish else None
                 self._heed_cancel()
-                picture = inputs.blended(nnf[0]) if dense is None else inputs.voted(dense)
+                picture = inputs.blended(nnf[0]) if dense is None else inputs.voted(dense, stop)
                 self._heed_cancel()
             self._nnf, self._has_frame, self._dense = nnf, True, dense
             self.seed = seed
-            if last or not warm:
-                self._kept = max(self._refinement.first_level_of_guides_alone, last)
-                self._seed_of_kept = seed
+            if not warm:
+                self._kept, self._seed_of_kept = refinement.first_level_of_guides_alone, seed
+            elif last:  # a cold frame does more iterations on those levels
+                self._kept = None
             return picture
 
     @property
@@ -377,10 +379,7 @@ class Session:
             return places_of(self._finished())
 
     def cancel(self) -> None:
-        """End the frames that other threads compute or wait for, with :class:`FrameCancelledError`.
-
-        A search ends at once; ``dense_finish`` is a pass that is done to its end.
-        """
+        """End frames that other threads compute or wait for, by :class:`FrameCancelledError`."""
         self._cancelled += 1
         self._stop[0] = 1
 
@@ -418,7 +417,7 @@ class Session:
 
     @property
     def inputs(self) -> FrameInputs:
-        """What the next frame is made of.
+        """What the next cold frame is made of.
 
         Raises
         ------
@@ -426,7 +425,7 @@ class Session:
             If there is no source or target.
         """
         return FrameInputs(
-            self._needs_exemplar(), self._needs_target(), self._refinement, self._labels
+            self._needs_exemplar(), self._needs_target(), self._refinements.cold, self._labels
         )
 
     def _threads_for(self, kind):
@@ -489,9 +488,9 @@ class Session:
             )
 
     def _weights_for(self, channels):
-        refinement = self._refinement
-        is_for_these = refinement is not None and len(refinement.weights) == channels
-        return refinement.weights if is_for_these else (1,) * channels
+        refinements = self._refinements
+        is_for_these = refinements is not None and len(refinements.cold.weights) == channels
+        return refinements.cold.weights if is_for_these else (1,) * channels
 
     def _needs_exemplar(self):
         if self._exemplar is None:

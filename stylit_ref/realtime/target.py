@@ -121,9 +121,12 @@ class Target:
         records = self.picture_records[level]
         layout.make_records(self.picture, level, params.step, records, STYLE_LANES)
 
-    def read_at(self, level: int) -> tuple[Image, Image, int]:
-        """Guides and style that the search of a level reads, and pixels from entry to entry."""
-        params = self.layout.params
+    def read_at(self, level: int, layout: Layout) -> tuple[Image, Image, int]:
+        """Guides and style that the search of a level reads by the parameters of a layout.
+
+        Pixels from entry to entry come third.
+        """
+        params = layout.params
         if params.scale_space:
             style, guides, spacing = self.picture_records[level], self.guide_records[level], 1
         else:

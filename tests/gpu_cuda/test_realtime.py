@@ -223,10 +223,11 @@ def test_dense_finish(width, lanes, labelled):
     entries = random_entries(rng, [grid_size(side, step) for side in target], source, width // 2)
     dense = np.zeros(target, np.int32)
     do, twin = (each.make_dense_nnf(width, step, lanes) for each in (passes, gpu_cuda.realtime))
-    assert_same(7, do, twin, entries, *images, row, *labels, dense)
+    go = np.zeros(1, np.uint8)
+    assert_same(7, do, twin, entries, *images, row, *labels, dense, go)
     do, twin = (each.make_vote(width) for each in (passes, gpu_cuda.realtime))
     style, out = image_of(rng, source, STYLE_LANES), np.zeros((*target, 3), np.uint8)
-    assert_same(2, do, twin, dense, style, out)
+    assert_same(2, do, twin, dense, style, out, go)
 
 
 def test_a_stopped_search_changes_nothing():

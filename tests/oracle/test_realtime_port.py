@@ -212,6 +212,18 @@ MISTAKES = {
         "if False:",
         "warm_frame",
     ),
+    "a warm frame with the style's weight of a cold one": (
+        'mu if p["scale_space"] else [p["warm_mu"], *mu[1:]]',
+        "mu",
+        "warm_frame",
+    ),
+    "a warm frame with the radius of a cold one": (
+        '[p["warm_radius"], *radii[1:]]',
+        "radii",
+        "warm_frame",
+    ),
+    "a warm frame with all iterations": ("(count + 1) // 2", "count", "warm_frame"),
+    "a warm frame with iterations rounded down": ("(count + 1) // 2", "count // 2", "warm_frame"),
     "a finish that keeps the first match": ("if found < best:", "if False:", "dense_nnf"),
     "equal matches of a finish are taken": (
         "                if found < best:",

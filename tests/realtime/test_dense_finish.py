@@ -5,7 +5,10 @@ import pytest
 from small_realtime import make_case, make_session
 
 from stylit_ref.errors import InputError
+from stylit_ref.machine.vector_patch import STYLE_LANES, row_lanes
 from stylit_ref.realtime.params import RealtimeParams
+from stylit_ref.realtime.passes.dense_finish import make_dense_nnf, make_vote
+from stylit_ref.realtime.passes.image import make_image
 from stylit_ref.realtime.replaying import replay_dense
 
 
@@ -118,3 +121,16 @@ def test_scale_space_has_no_patches_to_finish_with():
     session.frame()
     with pytest.raises(InputError, match="scale_space compares no patches"):
         session.dense_nnf()
+
+
+def test_a_stopped_finish_writes_nothing():
+    image = make_image(9, 9, 3, STYLE_LANES)
+    dense, picture = np.full((9, 9), -1, np.int32), np.full((9, 9, 3), 7, np.uint8)
+    none, stop = np.zeros((0, 0), np.uint8), np.ones(1, np.uint8)
+    make_dense_nnf(5, 3, STYLE_LANES)(
+        np.zeros((3, 3), np.int32), image, image, image,
+        np.ones(row_lanes(5, STYLE_LANES), np.int16), none, none, dense, stop,
+    )  # fmt: skip
+    make_vote(5)(np.zeros((9, 9), np.int32), image, picture, stop)
+    assert (dense == -1).all()
+    assert (picture == 7).all()

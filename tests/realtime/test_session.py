@@ -92,7 +92,7 @@ def test_a_stroke_leaves_the_guides_alone():
     session.frame()
     assert "random_nnf" not in calls
     assert calls["upsample_nnf"] == 4  # levels 3 to 0
-    assert calls["search"] == 2 * (1 + 3 + 4 + 8)
+    assert calls["search"] == 2 * (1 + 4 + 6 + 8)
     assert cold["search"] == calls["search"] + 2 * (8 + 8)
 
 
@@ -112,8 +112,8 @@ def test_a_target_leaves_the_source_alone():
     ("level", "expected"),
     [
         (0, {"search": 2, "blend": 2}),  # level 0 alone
-        (4, {"renew": 1, "search": 2, "blend": 2}),  # guides alone: a cold frame's are kept
-        (3, {"upsample_nnf": 1, "search": 18, "blend": 10, "renew": 1}),
+        (4, {"random_nnf": 1, "upsample_nnf": 1, "renew": 1, "search": 18, "blend": 2}),
+        (3, {"random_nnf": 1, "upsample_nnf": 2, "renew": 1, "search": 26, "blend": 6}),
     ],
 )
 def test_a_warm_frame_searches_level_0_and_those_it_renews_from(level, expected):
@@ -123,6 +123,37 @@ def test_a_warm_frame_searches_level_0_and_those_it_renews_from(level, expected)
     calls.clear()
     session.frame(warm=True)
     assert calls == expected
+
+
+@pytest.mark.parametrize("preset", ["best", "quick"])
+def test_a_warm_frame_is_given_by_the_nnf_before_it(preset):
+    case = make_case()
+    session, other = (make_session(case, preset) for _ in range(2))
+    session.frame()
+    other.nnf = session.nnf
+    assert np.array_equal(session.frame(warm=True), other.frame(warm=True))
+    assert np.array_equal(session.nnf, other.nnf)
+
+
+@pytest.mark.parametrize("preset", ["best", "quick"])
+def test_a_cold_frame_after_a_warm_one_is_that_of_a_new_session(preset):
+    case = make_case()
+    session = make_session(case, preset)
+    session.frame()
+    session.frame(warm=True)
+    assert np.array_equal(session.frame(), make_session(case, preset).frame())
+
+
+def test_a_new_style_counts_in_a_warm_frame_that_reads_what_a_cold_one_does_not():
+    case, other = make_case(), make_case(seed=1)
+    session = make_session(case, "quick")
+    session.frame()
+    session.frame(warm=True)
+    session.set_style(other.style)
+    before, picture = session.nnf, session.frame(warm=True)
+    fresh = make_session(case._replace(style=other.style), "quick")
+    fresh.nnf = before
+    assert np.array_equal(fresh.frame(warm=True), picture)
 
 
 def test_a_warm_frame_is_reproduced_from_seed_nnf_and_inputs():

@@ -36,7 +36,8 @@ def make_dense_nnf(width: int, step: int, lanes: int) -> Callable[..., None]:
     - ``nnf``, (rows, columns) int32;
     - ``source``, ``guides``, ``style`` and ``weights`` as the search is;
     - ``labels`` and ``source_labels``, (height, width) uint8, of no pixels if there are none;
-    - ``out``, (height, width) int32.
+    - ``out``, (height, width) int32;
+    - ``stop``, (1,) uint8; once it is not 0, no further row is matched.
     """
     radius, length = width // 2, row_lanes(width, lanes)
     widen = make_widen(width, width, lanes)
@@ -52,6 +53,7 @@ def make_dense_nnf(width: int, step: int, lanes: int) -> Callable[..., None]:
         labels: NDArray[np.uint8],
         source_labels: NDArray[np.uint8],
         out: NDArray[np.int32],
+        stop: NDArray[np.uint8],
     ) -> None:
         rows, columns = nnf.shape
         first_y, last_y = first_centre(source.height, radius), last_centre(source.height, radius)
@@ -60,6 +62,8 @@ def make_dense_nnf(width: int, step: int, lanes: int) -> Callable[..., None]:
         origin = (source.border - radius) * (source.stride + 1) * lanes
         target_origin = (style.border - radius) * (style.stride + 1)
         for row in prange(out.shape[0]):
+            if stop[0]:
+                continue
             y = np.int64(row)
             patch = np.empty(width * length, np.int16)
             top, bottom = covering_entries(y, step, radius, rows)
@@ -99,13 +103,20 @@ def make_dense_nnf(width: int, step: int, lanes: int) -> Callable[..., None]:
 
 @cache
 def make_vote(width: int) -> Callable[..., None]:
-    """Build ``vote(nnf, style, out)``: the mean of all patches over a pixel, (height, width, 3)."""
+    """Build ``vote(nnf, style, out, stop)``: the mean of all patches over a pixel.
+
+    ``out`` is (height, width, 3) uint8; once ``stop``, (1,) uint8, is not 0, no row is made.
+    """
     radius = width // 2
 
     @kernel(width, nogil=True)
-    def vote(nnf: NDArray[np.int32], style: Image, out: NDArray[np.uint8]) -> None:
+    def vote(
+        nnf: NDArray[np.int32], style: Image, out: NDArray[np.uint8], stop: NDArray[np.uint8]
+    ) -> None:
         height, columns = nnf.shape
         for row in prange(height):
+            if stop[0]:
+                continue
             y = np.int64(row)
             above, below = max(y - radius, 0), min(y + radius, height - 1)
             for x in range(columns):

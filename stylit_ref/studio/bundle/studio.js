@@ -116,7 +116,7 @@
 
   // src/history.ts
   var MOST_BYTES = 256 * 1024 * 1024;
-  var MOST_STEPS = 200;
+  var MOST_STEPS = 100;
   var TILE_BYTES = 4 * TILE * TILE;
   var History = class {
     most;
@@ -1465,9 +1465,13 @@
     for (const close of document.querySelectorAll("[data-close]"))
       close.onclick = () => close.closest("dialog")?.close();
     const views = byId("views-dialog");
+    const frame = byId("views");
     byId("views-open").onclick = () => {
-      byId("views").src = "/views/";
       views.showModal();
+      if (frame.src) return;
+      frame.src = "/views/";
+      byId("views-wait").hidden = false;
+      frame.onload = () => byId("views-wait").hidden = true;
     };
     return { togglePanels: () => button.click(), showHelp: () => help.showModal() };
   }
@@ -2064,7 +2068,10 @@
       const { canvas } = this.texture;
       const { width, height } = canvas;
       const image = canvas.getContext("2d", { alpha: false, willReadFrequently: true })?.getImageData(0, 0, width, height);
-      if (image) this.artist.texture = { width, height, pixels: new Uint32Array(image.data.buffer) };
+      if (!image) return;
+      this.artist.texture = { width, height, pixels: new Uint32Array(image.data.buffer) };
+      byId("texture-caption").textContent = "Texture";
+      byId("paints-texture").disabled = false;
     }
   };
 
@@ -2259,9 +2266,10 @@
     fit() {
       const { clientWidth, clientHeight } = this.pane;
       const fitting = Math.min((clientWidth - 2 * MARGIN) / this.width, (clientHeight - 2 * MARGIN) / this.height);
-      this.scale = Math.max(fitting, SMALLEST);
-      this.left = (clientWidth - this.scale * this.width) / 2;
-      this.top = (clientHeight - this.scale * this.height) / 2;
+      const isWhole = fitting < 1 && this.width <= clientWidth && this.height <= clientHeight;
+      this.scale = isWhole ? 1 : Math.max(fitting, SMALLEST);
+      this.left = Math.round((clientWidth - this.scale * this.width) / 2);
+      this.top = Math.round((clientHeight - this.scale * this.height) / 2);
       this.isFitted = true;
       this.lay();
     }

@@ -1,6 +1,7 @@
 """Pictures of the dense method, made by a process of low priority beside the page."""
 
 import ctypes
+import logging
 import multiprocessing
 from collections.abc import Callable
 from contextlib import suppress
@@ -169,10 +170,12 @@ class Background:
         except InputError as error:
             return Failed(str(error))
         except (EOFError, OSError):
-            self._end()
-            if not self._is_closed:
-                self._start()
+            self._begin_anew()
             return None
+        except Exception:
+            logging.getLogger(__name__).exception("the studio's background failed")
+            self._begin_anew()
+            return Failed("something went wrong; the terminal says what")
 
     def _report(self, wish, number, answer):
         match answer:
@@ -230,6 +233,11 @@ class Background:
 
     def _is_wanted(self, number):
         return self._wanted.value == number
+
+    def _begin_anew(self):
+        self._end()
+        if not self._is_closed:
+            self._start()
 
     def _start(self):
         self._connection, other = self._context.Pipe()

@@ -10,7 +10,7 @@ from stylit_ref.errors import InputError
 from stylit_ref.files.field import Field
 from stylit_ref.files.realtime_field import RealtimeField
 from stylit_ref.machine.kernel import compile_missing
-from stylit_ref.realtime.packing import Packing
+from stylit_ref.realtime.packing import Packing, choose_packing
 from stylit_ref.realtime.params import RealtimeParams
 from stylit_ref.realtime.session import Session
 from stylit_ref.realtime.warm_up import kernels_of_frame
@@ -104,6 +104,19 @@ class Follower:
     def is_searched(self) -> bool:
         """Whether there is a frame of all as it is."""
         return self._searched == self._state
+
+    def check(self, settings: Settings) -> None:
+        """Refuse settings that cannot be, as far as that is known at once; from any thread.
+
+        Raises
+        ------
+        InputError
+        """
+        scene, ready, packing = self.scene, self._ready, settings.live.packing
+        if packing not in ("auto", "pca"):
+            choose_packing(scene.source, packing)  # looks for its buffers
+        if ready and (ready.state.scene, ready.state.settings.live.packing) == (scene, packing):
+            ready.packed.check(settings, scene)
 
     def paint(self, x: int, y: int, pixels: NDArray[np.uint8], serial: int) -> None:
         """Change a rectangle of the painting."""

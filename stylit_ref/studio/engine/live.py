@@ -241,6 +241,7 @@ class Live:
         self._worker.close()
 
     def _settle(self, settings):
+        self._follower.check(settings)
         self._settings = settings
         self._change(lambda: setattr(self._follower, "settings", settings), "cold")
 
@@ -249,7 +250,8 @@ class Live:
 
         def change_and_restart():
             change()
-            self._stepper.do("restart")
+            if self._stepper.is_begun:
+                self._step("restart")
 
         self._worker.change(change_and_restart, wanted)
 

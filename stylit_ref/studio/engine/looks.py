@@ -91,7 +91,9 @@ def hue_circle(size: tuple[int, int]) -> NDArray[np.uint8]:
 
 
 def usage_counts(field: Field | RealtimeField, style_size: tuple[int, int]) -> NDArray[np.int64]:
-    """How many patches of the NNF cover each pixel of the source: Ω for a dense one.
+    """How many patches cover each pixel of the source, one for each pixel of the target: Ω.
+
+    Entries of a grid stand for the pixels around them, so that the grid is not seen.
 
     Returns
     -------
@@ -101,7 +103,7 @@ def usage_counts(field: Field | RealtimeField, style_size: tuple[int, int]) -> N
     radius = width // 2
     height, columns = style_size
     centres = np.zeros((height + width, columns + width), np.int64)
-    y, x = (field.nnf[..., axis].ravel() for axis in (0, 1))
+    y, x = places_of(field).reshape(-1, 2).T
     np.add.at(centres, (y + radius + 1, x + radius + 1), 1)
     sums = centres.cumsum(axis=0).cumsum(axis=1)
     sums = sums[width:] - sums[:-width]

@@ -6,6 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
+from stylit_ref.realtime import passes
+from stylit_ref.realtime.layout import Layout
 from stylit_ref.realtime.packing import Packing, PrincipalPacking, choose_packing, pack
 from stylit_ref.realtime.packing.named_buffers import (
     find_unknown_thing,
@@ -14,6 +16,7 @@ from stylit_ref.realtime.packing.named_buffers import (
     weights_of_channels,
 )
 from stylit_ref.realtime.params import RealtimeParams
+from stylit_ref.realtime.refinement import Refinement
 from stylit_ref.studio.engine.parameters import Settings
 from stylit_ref.studio.engine.scene import Scene
 
@@ -36,6 +39,17 @@ class PackedScene(NamedTuple):
     labels: NDArray[np.uint8]
     target_labels: NDArray[np.uint8]
     guide_of: dict[str, int]
+
+    def check(self, settings: Settings, scene: Scene) -> None:
+        """Refuse settings whose energy does not fit the arithmetic.
+
+        Raises
+        ------
+        InputError
+        """
+        layout = Layout(settings.live, len(self.packing.channels), passes)
+        weights = self.weights(settings, scene)
+        Refinement(layout, (1,) * layout.channels if weights is None else weights)
 
     def weights(self, settings: Settings, scene: Scene) -> tuple[int, ...] | None:
         """The weight of each channel; None where principal components mix the buffers."""

@@ -145,6 +145,8 @@ class Worker:
                 continue
             except InputError as error:
                 self.say(Problem(str(error)))
+            except MemoryError:
+                self.say(Problem("there is not enough memory for a picture of this size"))
             except Exception:
                 logging.getLogger(__name__).exception("the studio's engine failed")
                 self.say(Problem("something went wrong; the terminal says what"))

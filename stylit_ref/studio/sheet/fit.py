@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import map_coordinates
+from scipy.ndimage import gaussian_filter, map_coordinates
 from scipy.optimize import least_squares
 
 from stylit_ref.studio.sheet.layout import CELL, Layout
@@ -15,6 +15,9 @@ _ALONG = np.linspace(0.06, 0.94, 24)
 
 _FAR, _NEAR = 0.45 * CELL, 0.2 * CELL
 """How far from where it is expected, in dots: the frame of a mark is a cell thick."""
+
+_SMOOTH = 1.0
+"""Pixels; in a sharp scan the steepest place would depend on where an edge cuts a pixel."""
 
 _LEAST_STEPS = 4
 """Half pixels to each side of an edge, however small the marks are."""
@@ -58,13 +61,14 @@ def fit_sheet(
     Fit
     """
     corners = np.concatenate([layout.marks[number] for number in found])
+    smooth = gaussian_filter(grey, _SMOOTH)
     matrix = homography(corners, np.concatenate(list(found.values())))
     error = np.inf
     for marks, reach in ((layout.marks[list(found)], _FAR), (layout.marks, _NEAR)):
         scale = _scale(matrix, layout)
         if not scale > 0:
             return Fit(matrix, np.inf)
-        edges = _edges(grey, matrix, marks, reach, 1 / scale)
+        edges = _edges(smooth, matrix, marks, reach, 1 / scale)
         if len(edges.places) < 8 * len(_ALONG):
             return Fit(matrix, np.inf)
         matrix, error = _fitted(edges, matrix)
@@ -92,14 +96,16 @@ def _edges(grey, matrix, marks, reach, pixel):
     seen = through(matrix, across) - 0.5
     values = map_coordinates(grey, (seen[..., 1], seen[..., 0]), order=1, mode="nearest")
     rise = values[..., 2:] - values[..., :-2]  # from black to paper
-    best = np.clip(rise.argmax(axis=-1), 1, rise.shape[-1] - 2)[..., None]
+    steepest = rise.argmax(axis=-1)
+    best = np.clip(steepest, 1, rise.shape[-1] - 2)[..., None]
     before, at, after = (
         np.take_along_axis(rise, best + step, axis=-1)[..., 0] for step in (-1, 0, 1)
     )
     bend = before - 2 * at + after
     peak = np.where(bend < 0, 0.5 * (before - after) / np.minimum(bend, -1e-9), 0)
     shift = steps[best[..., 0] + 1] + np.clip(peak, -1, 1) * pixel / 2
-    clear = (at > _FAINT * np.quantile(at, 0.75)) & (bend < 0)
+    is_edge = steepest == best[..., 0]  # one that begins outside the reach is something else's
+    clear = is_edge & (at > _FAINT * np.quantile(at, 0.75)) & (bend < 0)
     places = through(matrix, on_side + shift[..., None] * normal)
     offsets = (on_side * normal).sum(axis=-1)
     return _Edges(places[clear], normal[clear], offsets[clear])

@@ -8,7 +8,7 @@ export type Tiles = Map<number, Uint32Array>;
 
 const MOST_BYTES = 256 * 1024 * 1024;
 /** After an hour of painting the page is not larger than after ten minutes. */
-const MOST_STEPS = 200;
+const MOST_STEPS = 100;
 const TILE_BYTES = 4 * TILE * TILE;
 
 export class History {

@@ -26,9 +26,13 @@ export function room(): { togglePanels(): void; showHelp(): void } {
   for (const close of document.querySelectorAll<HTMLButtonElement>("[data-close]"))
     close.onclick = () => close.closest("dialog")?.close();
   const views = byId<HTMLDialogElement>("views-dialog");
+  const frame = byId<HTMLIFrameElement>("views");
   byId("views-open").onclick = () => {
-    byId<HTMLIFrameElement>("views").src = "/views/";
     views.showModal();
+    if (frame.src) return;
+    frame.src = "/views/";
+    byId("views-wait").hidden = false;
+    frame.onload = () => (byId("views-wait").hidden = true);
   };
   return { togglePanels: () => button.click(), showHelp: () => help.showModal() };
 }

@@ -85,6 +85,9 @@ export class Texture {
     const { canvas } = this.texture;
     const { width, height } = canvas;
     const image = canvas.getContext("2d", { alpha: false, willReadFrequently: true })?.getImageData(0, 0, width, height);
-    if (image) this.artist.texture = { width, height, pixels: new Uint32Array(image.data.buffer) };
+    if (!image) return;
+    this.artist.texture = { width, height, pixels: new Uint32Array(image.data.buffer) };
+    byId("texture-caption").textContent = "Texture";
+    byId<HTMLInputElement>("paints-texture").disabled = false;
   }
 }

@@ -41,9 +41,11 @@ export class Viewport {
   fit(): void {
     const { clientWidth, clientHeight } = this.pane;
     const fitting = Math.min((clientWidth - 2 * MARGIN) / this.width, (clientHeight - 2 * MARGIN) / this.height);
-    this.scale = Math.max(fitting, SMALLEST);
-    this.left = (clientWidth - this.scale * this.width) / 2;
-    this.top = (clientHeight - this.scale * this.height) / 2;
+    // A pixel for a pixel, where only the margin is in the way.
+    const isWhole = fitting < 1 && this.width <= clientWidth && this.height <= clientHeight;
+    this.scale = isWhole ? 1 : Math.max(fitting, SMALLEST);
+    this.left = Math.round((clientWidth - this.scale * this.width) / 2);
+    this.top = Math.round((clientHeight - this.scale * this.height) / 2);
     this.isFitted = true;
     this.lay();
   }

@@ -141,6 +141,19 @@ def renew(p, a, nnf, fresh):
             nnf[entry] = match
 
 
+def warm(p):
+    """Give the lists by level of a warm frame."""
+    levels = range(p["levels"])
+    mu, iterations, radii = (
+        [at(p[name], level) for level in levels] for name in ("mu", "iterations", "radii")
+    )
+    return {
+        "mu": mu if p["scale_space"] else [p["warm_mu"], *mu[1:]],
+        "iterations": [iterations[0], *((count + 1) // 2 for count in iterations[1:])],
+        "radii": [p["warm_radius"], *radii[1:]],
+    }
+
+
 def stage_frame(p, a):
     """Do stage frame."""
     frame = Frame(p, a)
@@ -150,7 +163,7 @@ def stage_frame(p, a):
 
 def stage_warm_frame(p, a):
     """Do stage warm_frame."""
-    frame = Frame(p, a)
+    frame = Frame(p | warm(p), a)
     level = min(p["renewal_level"], p["levels"] - 1)
     if level > 0 and at(p["mu"], level) < 16:
         renew(p | {"renewal_level": level}, a, a["nnf"], frame.cold(level))

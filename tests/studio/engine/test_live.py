@@ -12,6 +12,7 @@ from stylit_ref.studio.engine import worker
 from stylit_ref.studio.engine.events import Exported, Picture, Problem, Stepped
 from stylit_ref.studio.engine.follower import Follower
 from stylit_ref.studio.engine.live import Live
+from stylit_ref.studio.engine.scene import Scene
 
 STROKE = np.full((6, 5, 3), 250, np.uint8)
 
@@ -240,6 +241,7 @@ def test_steps_restart_when_the_scene_changes(begun, ears):
     begun.step("pyramid")
     assert "upsample" in ears.next(Stepped).possible
     begun.turn(1, warm=True)
+    assert ears.next(Stepped).possible == ("restart", "pyramid")
     begun.step("upsample")
     assert ears.next(Problem).text.startswith("upsample is not what comes next; possible are")
 
@@ -295,6 +297,23 @@ def test_what_cannot_be_looked_at_is_told_and_life_goes_on(begun, ears, what, se
 def test_what_cannot_be_is_refused_at_once(live, method, arguments, sentence):
     with pytest.raises(InputError, match=sentence):
         getattr(live, method)(*arguments)
+
+
+def test_settings_that_cannot_be_are_refused_at_once(begun):
+    begun.set_weights(dict.fromkeys(make_scene().buffers, 2))
+    with pytest.raises(InputError, match="weights are too large for patches of this width"):
+        begun.set_parameters({"patch_width": 13, "mu": [5]})
+
+
+def test_a_packing_wants_its_buffers(background, ears):
+    stage, names = make_scene(), ("FULL", "IDMASK")
+    source, target = ({name: side[name] for name in names}
+                      for side in (stage.source, stage.target(0)))  # fmt: skip
+    scene = Scene("plain", "Plain", source, [lambda: target])
+    live = Live(scene, make_painting(), tell=ears, threads=1)
+    with pytest.raises(InputError, match="packing is 'packed', which also needs LDE"):
+        live.set_parameters({"packing": "packed"})
+    live.close()
 
 
 def test_there_is_no_such_step_of_the_target(live):

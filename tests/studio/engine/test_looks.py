@@ -41,10 +41,10 @@ def test_a_dense_field_says_its_places():
 
 def test_usage_counts_patches_over_each_pixel():
     field = sparse()
-    expected = np.zeros(STYLE, int)
-    for y, x in field.nnf.reshape(-1, 2):
-        expected[y - 2 : y + 3, x - 2 : x + 3] += 1
-    assert np.array_equal(usage_counts(field, STYLE), expected)
+    expected = np.zeros((STYLE[0] + 4, STYLE[1] + 4), int)
+    for y, x in places_of(field).reshape(-1, 2):
+        expected[y : y + 5, x : x + 5] += 1
+    assert np.array_equal(usage_counts(field, STYLE), expected[2:-2, 2:-2])
 
 
 def test_usage_is_black_where_nothing_is_used_and_white_where_most_is():

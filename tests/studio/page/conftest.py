@@ -41,7 +41,7 @@ def open_page(chromium):
         page.on("console", lambda said: said.type == "error" and complaints.append(said.text))
         page.on("pageerror", lambda error: complaints.append(str(error)))
         page.on("request", lambda asked: tell_far(asked.url))
-        page.goto(server.address)
+        page.goto(getattr(server, "login", server.address))
         return StudioPage(page)
 
     opened.complaints = complaints

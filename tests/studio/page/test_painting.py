@@ -58,13 +58,16 @@ def test_undo_and_redo_restore_the_bytes(page, studio):
     assert np.array_equal(studio.painting, after)
 
 
-def test_undo_keeps_to_its_memory(page):
+def test_undo_keeps_to_its_memory_and_to_a_hundred_steps(page):
     kept = page.page.evaluate("""() => {
-      const history = new window.stylitStudio.artist.history.constructor(4 * 64 * 64 * 3);
-      for (let k = 0; k < 5; k++) history.add(new Map([[k, new Uint32Array(64 * 64)]]));
-      return [history.bytes, history.undoable.map((tiles) => [...tiles.keys()][0])];
+      const { constructor } = window.stylitStudio.artist.history;
+      const small = new constructor(4 * 64 * 64 * 3);
+      const large = new constructor();
+      for (let k = 0; k < 105; k++)
+        for (const history of [small, large]) history.add(new Map([[k, new Uint32Array(64 * 64)]]));
+      return [small, large].map(({ bytes, undoable }) => [bytes, [...undoable[0].keys()][0]]);
     }""")
-    assert kept == [4 * 64 * 64 * 3, [2, 3, 4]]
+    assert kept == [[4 * 64 * 64 * 3, 102], [4 * 64 * 64 * 100, 5]]
 
 
 def test_an_even_stroke_of_half_opacity(page, studio):
