@@ -44,7 +44,7 @@ def _splat(passes, parameters, arrays):
     points, labels = arrays["points"], arrays["labels"]
     size, views = labels.shape[1:], np.arange(len(labels))
     sparse, far = np.empty(size, np.int32), np.empty(size)
-    passes.splat_points(points, labels, views, arrays["camera"], sparse, far)
+    passes.splat_points(points, labels, views, arrays["camera"], 0.0, sparse, far)
     found, inverse = np.empty_like(sparse), np.empty_like(far)
     passes.fill_holes(sparse, far, found, inverse)
     return {"found": found, "inverse": inverse}

@@ -70,22 +70,39 @@ def find_masks(
     Raises
     ------
     InputError
-        If it has no placeholder, or there is ``--run``.
+        If it has no placeholder.
     """
-    if not options.mask:
+    return _beside_frames(options.mask, "mask", frames, problems) if options.mask else []
+
+
+def find_fills(
+    options: argparse.Namespace, frames: Sequence[int], problems: ShotProblems
+) -> list[str]:
+    """The files of ``--fill``, one for each frame: the same one where it names one.
+
+    Raises
+    ------
+    InputError
+        If there is no ``--mask``.
+    """
+    if not options.fill:
         return []
-    if options.run:
-        raise InputError(
-            "is not for --run, whose pictures are whole; leave one of the two out",
-            parameter="mask",
-        )
-    pattern = pattern_of(options.mask, "mask")
+    if not options.mask:
+        raise InputError("needs a --mask that says which pixels to fill", parameter="fill")
+    if is_pattern(options.fill):
+        return _beside_frames(options.fill, "fill", frames, problems)
+    problems.add_missing([options.fill])
+    return [options.fill] * len(frames)
+
+
+def _beside_frames(text, parameter, frames, problems):
+    pattern = pattern_of(text, parameter)
     there = pattern.frames()
     if not set(frames).issubset(there):
         problems.add(why_missing(pattern.text, there, frames))
-    masks = [pattern.path(frame) for frame in frames]
-    problems.patterns |= dict.fromkeys(masks, pattern.text)
-    return masks
+    files = [pattern.path(frame) for frame in frames]
+    problems.patterns |= dict.fromkeys(files, pattern.text)
+    return files
 
 
 def files_of_frame(

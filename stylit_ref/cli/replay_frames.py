@@ -16,6 +16,7 @@ from stylit_ref.files.colour.profile import read_colour_profile
 from stylit_ref.files.disk.paths import check_distinct
 from stylit_ref.files.read_image import read_image
 from stylit_ref.files.write_image import check_image_writable, write_image
+from stylit_ref.stylization.mask import filled_channels
 from stylit_ref.views.replaying import replay_run
 from stylit_ref.views.run_folder import Run
 
@@ -33,14 +34,17 @@ def replay_frames(options: argparse.Namespace) -> None:
     start = perf_counter()
     for name in _OF_A_FIELD:
         if getattr(options, name) is not None:
-            raise InputError("is not for --run, which has none; leave it out", parameter=name)
+            raise InputError("is not for --run, which knows its own; leave it out", parameter=name)
     run, paintings = Run(options.run), paintings_of(options.style)
     style = side_by_side([read_image(painting) for painting in paintings], paintings)
     outputs = _outputs(options.output, run.names)
     check_distinct(outputs, [*paintings, *run.files])
+    channels = style.shape[2]
+    if run.has_masks:
+        channels = filled_channels(channels, None)
     for output in outputs:
-        check_image_writable(output, style.shape[2])
-    holds_bits_of(style, outputs[0], style.shape[2])
+        check_image_writable(output, channels)
+    holds_bits_of(style, outputs[0], channels)
     profile = read_colour_profile(paintings[0])
     with ProgressLine(options.quiet) as line:
         for done, replayed in enumerate(replay_run(run, style, scale=options.scale), 1):

@@ -1,14 +1,17 @@
 """The files that tell what views show, for views between them: a mesh, or positions."""
 
-from collections.abc import Sequence
-from typing import NamedTuple
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from stylit_ref.cli.motion_files import read_ids
+from stylit_ref.cli.shot_problems import ShotProblems
 from stylit_ref.errors import InputError
 from stylit_ref.files.mesh_file import read_obj
 from stylit_ref.files.picture import read_picture
+from stylit_ref.views.interpolation.camera import read_camera
+from stylit_ref.views.interpolation.projection import check_positions
 from stylit_ref.views.mesh import Mesh, make_mesh
 from stylit_ref.views.positions import Positions
 
@@ -82,3 +85,37 @@ class SceneFiles(NamedTuple):
             is_there &= points.any(axis=2)  # renderers write 0 where nothing is
         labels = np.where(is_there, labels, -1)
         return Positions(np.where(is_there[:, :, None], points, 0).astype(np.float32), labels)
+
+
+def check_positions_files(
+    scene: SceneFiles,
+    names: Sequence[str],
+    cameras: Sequence[Mapping[str, Any]] | None,
+    size: tuple[int, int],
+    problems: ShotProblems,
+) -> None:
+    """Read the positions of all frames, and compare them with what their cameras see.
+
+    Parameters
+    ----------
+    scene : SceneFiles
+    names : sequence of str
+        Of the frames.
+    cameras : sequence of mapping, optional
+        What is known of the camera of every frame.
+    size : tuple of 2 int
+        Rows and columns of the frames.
+    problems : ShotProblems
+        Is told what cannot be read, or does not fit.
+    """
+    for frame, file in enumerate(scene.positions):
+        camera = read_camera(cameras[frame], names[frame]) if cameras else None
+        try:
+            positions = scene.read_positions(frame)
+        except InputError as error:
+            problems.add(error.sentence, file)
+            continue
+        try:
+            check_positions(positions, camera, size, names[frame])
+        except InputError as error:
+            problems.add(f"{file}: {error.sentence}", file)

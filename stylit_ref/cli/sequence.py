@@ -2,7 +2,7 @@
 
 import argparse
 
-from stylit_ref.cli.frame_files import find_frames, find_masks, pattern_of
+from stylit_ref.cli.frame_files import find_fills, find_frames, find_masks, pattern_of
 from stylit_ref.cli.guide_options import add_guide_options
 from stylit_ref.cli.method_options import chosen_params
 from stylit_ref.cli.motion_in import add_motion_options, find_motion
@@ -68,6 +68,10 @@ def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
         help="leave the pixels of the frames alone that are white here: pictures are transparent "
         "there",
     )  # fmt: skip
+    everyday.add_argument(
+        "--fill", metavar=FRAMES,
+        help="show these images there, or one IMAGE in all frames (default: transparent)",
+    )  # fmt: skip
     add_shot_options(parser, everyday, SEQUENCE)
     add_other_outputs(parser, FRAMES, "'nnf.%%04d.npy'")
 
@@ -84,6 +88,7 @@ def run(options: argparse.Namespace) -> None:
     paintings, found = find_paintings(options, problems), find_frames(options, problems)
     motion = find_motion(options, found.frames, coherence.order, problems)
     masks = find_masks(options, found.frames, problems)
+    fills = find_fills(options, found.frames, problems)
     problems.add_missing(path for side in paintings.guides for path in side)
     problems.refuse()
     digits = len(str(found.frames[-1]))
@@ -94,6 +99,7 @@ def run(options: argparse.Namespace) -> None:
         motion,
         problems,
         masks,
+        fills,
     )
     pictures, fields = (
         [pattern.path(frame) for frame in found.frames] if pattern else [] for pattern in outputs

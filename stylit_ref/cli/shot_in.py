@@ -12,7 +12,7 @@ from stylit_ref.cli.motion_files import MotionFiles
 from stylit_ref.cli.motion_look import check_motion_files
 from stylit_ref.cli.paintings import side_by_side
 from stylit_ref.cli.progress_line import ProgressLine
-from stylit_ref.cli.scene_files import SceneFiles
+from stylit_ref.cli.scene_files import SceneFiles, check_positions_files
 from stylit_ref.cli.shot_problems import ShotProblems
 from stylit_ref.errors import InputError
 from stylit_ref.files.guides.encoding import GuideEncoding
@@ -20,8 +20,13 @@ from stylit_ref.files.guides.remarks import GuideRemarks
 from stylit_ref.files.guides.survey import GuideLook, look_at, read_source_guide
 from stylit_ref.files.layers.names import SeveralLayersError
 from stylit_ref.files.picture import read_picture
-from stylit_ref.files.read_image import displayed, read_mask
-from stylit_ref.stylization.checks import check_mask, check_source_guides, size_text
+from stylit_ref.files.read_image import displayed, read_mask, read_uint8
+from stylit_ref.stylization.checks import (
+    check_fill,
+    check_mask,
+    check_source_guides,
+    size_text,
+)
 from stylit_ref.views.file_shot import FileShot
 
 
@@ -44,6 +49,8 @@ class ShotFiles(NamedTuple):
         It knows the patterns of the files.
     masks : sequence of str, optional
         For every frame the image that is white where the frame is left alone.
+    fills : sequence of str, optional
+        For every frame the image that is shown there.
     grid : tuple of 2 int, optional
         Rows and columns, if the frames are a grid of views, row by row.
     cameras : sequence of mapping, optional
@@ -59,6 +66,7 @@ class ShotFiles(NamedTuple):
     motion: Mapping[tuple[int, int], MotionFiles]
     problems: ShotProblems
     masks: Sequence[str] = ()
+    fills: Sequence[str] = ()
     grid: tuple[int, int] | None = None
     cameras: Sequence[Mapping[str, Any]] | None = None
     scene: SceneFiles = SceneFiles()
@@ -169,8 +177,11 @@ def _look_at_all(options, files, needs_values, line) -> list[list[GuideLook]]:
     if len(looks) == guides * len(sides):
         size = by_guide[0][len(files.paintings)].size
         _add_misfits(files, by_guide)
+    if options.run and size:
+        check_positions_files(files.scene, files.names, files.cameras, size, problems)
     check_motion_files(files.motion.values(), size, problems)
     _check_masks(files, size)
+    _check_fills(files, size)
     problems.refuse()
     return by_guide
 
@@ -182,6 +193,24 @@ def _check_masks(files, size):
             mask = read_mask(path)
             if size:
                 check_mask(mask, size)
+        except InputError as error:
+            said = error.sentence if error.parameter is None else f"{path}: {error.sentence}"
+            files.problems.add(said, path)
+
+
+def _check_fills(files, size):
+    """Fills of another size, and with other colours than the first."""
+    channels = None
+    for path in dict.fromkeys(files.fills):
+        try:
+            fill = np.atleast_3d(read_uint8(path))
+            check_fill(fill, size or fill.shape[:2])
+            channels = channels or fill.shape[2]
+            if fill.shape[2] != channels:
+                raise InputError(
+                    f"{path}: has {fill.shape[2]} channels, and {files.fills[0]} {channels}; all "
+                    "must have as many"
+                )
         except InputError as error:
             said = error.sentence if error.parameter is None else f"{path}: {error.sentence}"
             files.problems.add(said, path)

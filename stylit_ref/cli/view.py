@@ -22,7 +22,7 @@ from stylit_ref.machine.kernel import Specialization
 from stylit_ref.machine.vector_patch import STYLE_LANES
 from stylit_ref.notes import note
 from stylit_ref.views.interpolation.formulae.mean import WIDEST
-from stylit_ref.views.interpolation.of_run import views_of_run
+from stylit_ref.views.interpolation.of_run import geometry_of, views_of_run
 from stylit_ref.views.interpolation.view_interpolator import MODES, ViewInterpolator
 from stylit_ref.views.interpolation.warm_up import kernels_of_views
 from stylit_ref.views.run_folder import Run
@@ -119,7 +119,7 @@ def _kernels(run: Run) -> list[Specialization]:
     channels, width = run.style().shape[2], run.params.patch_width
     if channels > STYLE_LANES or width > WIDEST:
         return []
-    return kernels_of_views(channels, width, has_mesh="mesh" in run.facts)
+    return kernels_of_views(channels, width, geometry_of(run))
 
 
 def _pictures(

@@ -98,7 +98,9 @@ def run(options: argparse.Namespace) -> None:
         growth = 1 if options.output else 4 / 3  # a folder holds base64
         weight = {piece.name: len(piece.packed) * growth for piece in contents.pieces}
         count = len(contents.facts["views"])
-        told = f"wrote {_megabytes(size)}, {count} views"
+        page = options.output or Path(options.folder, "index.html")
+        told = f"wrote {page} with {count} views, {_megabytes(size)}"
+        told += "" if options.output else " with all that it loads"
         if "still" in weight:
             told += f"; the style for stills takes {_megabytes(weight['still'])} of it"
         print(told, file=sys.stderr)

@@ -18,6 +18,7 @@ from stylit_ref.files.nnf_file import read_nnf
 from stylit_ref.files.read_image import read_uint8
 from stylit_ref.viewer.grid_views import GridViews, opaque
 from stylit_ref.views.interpolation.camera import read_camera
+from stylit_ref.views.interpolation.centred import centred
 from stylit_ref.views.interpolation.orbit import grid_of_steps, orbit_of
 
 _KEYS = "grid", "nnfs", "style", "patch_width", "pictures", "cameras", "mesh"
@@ -55,6 +56,12 @@ def views_of_manifest(path: str) -> GridViews:
 def _views(content: Any, folder: Path, path: str) -> GridViews:
     if not isinstance(content, dict):
         raise InputError(f"{path}: is not an object with the keys {', '.join(_KEYS)}")
+    if "guides" in content:
+        raise InputError(
+            f"{path}: is a manifest of 'stylit-ref views', whose views are still to be drawn; run "
+            f"stylit-ref views --manifest {path} --output '{VIEW}.png' --run RUN, and name RUN in "
+            "place of the manifest"
+        )
     if strange := [key for key in content if key not in _KEYS]:
         known = f"known are {', '.join(_KEYS)}{did_you_mean(strange[0], _KEYS)}"
         raise InputError(f"{path}: has {strange[0]!r}; {known}")
@@ -97,8 +104,10 @@ def _views(content: Any, folder: Path, path: str) -> GridViews:
         orbit = orbit_of([read_camera(facts.get(name), name) for name in names], rows, columns)
     except InputError as error:
         raise InputError(f"{path}: {error}") from None
-    mesh = str(folder / content["mesh"]) if "mesh" in content else None
-    return GridViews(orbit.grid, size, style, width, view, orbit, SceneFiles(mesh).read_mesh())
+    mesh = SceneFiles(str(folder / content["mesh"])).read_mesh() if "mesh" in content else None
+    if mesh is not None:
+        mesh, orbit = centred(mesh, orbit)
+    return GridViews(orbit.grid, size, style, width, view, orbit, mesh)
 
 
 def opaque_image(path: str) -> NDArray[np.uint8]:

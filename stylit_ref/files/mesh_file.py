@@ -18,14 +18,14 @@ class MeshArrays(NamedTuple):
 
     Attributes
     ----------
-    vertices : (V, 3) float32
+    vertices : (V, 3) float64
     faces : (T, 3) int32
         Triangles; those of a polygon fan out from its first corner.
     parts : (T,) int32
         A number for each object, group and material.
     """
 
-    vertices: NDArray[np.float32]
+    vertices: NDArray[np.float64]
     faces: NDArray[np.int32]
     parts: NDArray[np.int32]
 
@@ -77,7 +77,7 @@ def read_obj(path: str | Path) -> MeshArrays:
                 "again"
             ) from None
     return MeshArrays(
-        np.array(vertices, np.float32).reshape(-1, 3),
+        np.array(vertices, np.float64).reshape(-1, 3),
         np.array(faces, np.int32).reshape(-1, 3),
         np.array(parts, np.int32),
     )

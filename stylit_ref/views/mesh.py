@@ -10,21 +10,25 @@ from stylit_ref.errors import InputError
 SMOOTH = 30.0
 """Triangles that meet at an edge belong to one face if they turn by less, in degrees."""
 
+_LEAST_EXACT = 1e-6
+"""Vertices may be rounded by that part of what the scene measures: by 1/1000 of a pixel."""
+
 
 class Mesh(NamedTuple):
     """Triangles.
 
     Attributes
     ----------
-    vertices : (V, 3) float32
-        In the units of the cameras.
+    vertices : (V, 3) float32 or float64
+        In the units of the cameras. 64 bits where the scene lies so far from where its coordinates
+        are 0 that 32 could move it.
     faces : (T, 3) int32
         The corners of every triangle.
     groups : (T,) int32
         Which face it belongs to: strokes are not shifted from one to another.
     """
 
-    vertices: NDArray[np.float32]
+    vertices: NDArray[np.float32 | np.float64]
     faces: NDArray[np.int32]
     groups: NDArray[np.int32]
 
@@ -54,12 +58,16 @@ def make_mesh(
     InputError
         If there are no triangles, a vertex is no number, or a face names one that is not there.
     """
-    vertices = np.ascontiguousarray(vertices, np.float32)
+    exact = np.ascontiguousarray(vertices, np.float64)
+    with np.errstate(over="ignore"):
+        vertices = exact.astype(np.float32)
     faces = np.ascontiguousarray(faces, np.int32)
     if not len(faces):
         raise InputError("holds no faces; export the scene with its faces")
     if not np.isfinite(vertices).all():
         raise InputError("holds a vertex that is no finite number; export the scene again")
+    if np.spacing(np.abs(vertices).max()) / 2 > _LEAST_EXACT * np.ptp(exact, axis=0).max():
+        vertices = exact
     if faces.min() < 0 or faces.max() >= len(vertices):
         raise InputError(
             f"holds a face with the vertex {faces.max()}, and there are {len(vertices)}; export "

@@ -109,6 +109,11 @@ class Run:
             ) from None
 
     @property
+    def has_masks(self) -> bool:
+        """Whether frames have been left alone in places; pictures are transparent there."""
+        return bool(self.facts.get("has_masks"))
+
+    @property
     def files(self) -> list[Path]:
         """All files of the RUN that are there."""
         named = [self.folder / name for name in (RUN_FILE, *self.facts.get("digests", {}))]

@@ -46,7 +46,7 @@ class RunWriter:
     Raises
     ------
     InputError
-        If the folder cannot be written, or holds something and is no RUN; if frames have masks.
+        If the folder cannot be written, or holds something and is no RUN.
     """
 
     folder: Path
@@ -66,11 +66,6 @@ class RunWriter:
         self.folder = Path(folder)
         self._problem, self._encodings, self._profile = problem, tuple(encodings), profile
         shot = problem.shot
-        if any(shot.mask(frame) is not None for frame in range(len(shot.names))):
-            raise InputError(
-                "is not for a RUN, whose pictures are whole; leave one of the two out",
-                parameter="mask",
-            )
         self._files = files_of_run(shot.names, shot.pairs, problem.style, problem.source_guides)
         begin_run(self.folder, self._files)
         self._digests: dict[str, str] = {}
@@ -112,9 +107,12 @@ class RunWriter:
         frame["nnf"] = self._files.nnfs[result.frame]
         write_image(self.folder / frame["picture"], result.image, profile=self._profile)
         params, style = self._problem.params, self._problem.style
+        mask = self._problem.shot.mask(result.frame)
+        if mask is not None:
+            self._facts["has_masks"] = True
         field = Field(
-            result.nnf, params.patch_width, params.vote_outliers, style.shape[:2],
-            guide_encodings=self._encodings,
+            result.nnf, params.patch_width, params.vote_outliers, style.shape[:2], mask,
+            self._encodings,
         )  # fmt: skip
         write_nnf(self.folder / frame["nnf"], field)
         self._note(frame["picture"], frame["nnf"])

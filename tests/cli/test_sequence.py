@@ -425,10 +425,45 @@ def test_without_motion_a_masked_frame_is_that_of_run(shot, masked):
     np.testing.assert_array_equal(written(folder, (2,))[0], read_image(folder / "out.png"))
 
 
+def test_a_run_of_masked_frames_is_replayed_transparent(shot, masked):
+    folder = shot[0]
+    assert sequence(folder, *masked[1], "--frames", "1-2", "--run", folder / "run") == 0
+    command = ["replay", "--run", f"{folder}/run", "--style", f"{folder}/style.png"]
+    assert main([*command, "--output", f"{folder}/again.%04d.png", "--quiet"]) == 0
+    for frame, image in enumerate(written(folder, (1, 2)), 1):
+        np.testing.assert_array_equal(read_image(folder / f"again.{frame:04d}.png"), image)
+
+
+@pytest.mark.parametrize("name", ["fill.%d.png", "fill.2.png"])
+def test_a_fill_is_shown_where_frames_are_left_alone(shot, masked, name):
+    folder, (masks, flags) = shot[0], masked
+    fills = np.random.default_rng(6).integers(0, 256, (3, *masks[0].shape, 3), dtype=np.uint8)
+    for number, fill in enumerate(fills, 1):
+        write_image(folder / f"fill.{number}.png", fill)
+    assert sequence(folder, *flags, "--frames", "1-2") == 0
+    transparent = written(folder, (1, 2))
+    assert sequence(folder, *flags, "--frames", "1-2", "--fill", folder / name) == 0
+    for number, image in enumerate(written(folder, (1, 2))):
+        mask, fill = masks[number], fills[1 if name == "fill.2.png" else number]
+        np.testing.assert_array_equal(image[mask], fill[mask])
+        np.testing.assert_array_equal(image[~mask], transparent[number][~mask][:, :3])
+
+
+def test_fills_that_do_not_fit_are_refused(shot, masked, capsys):
+    folder, flags = shot[0], masked[1]
+    assert "--fill needs a --mask" in refused(capsys, sequence(folder, "--fill", "a.png"))
+    for number, size in enumerate(((38, 44, 3), (38, 44), (30, 20, 3)), 1):
+        write_image(folder / f"fill.{number}.png", np.zeros(size, np.uint8))
+    message = refused(capsys, sequence(folder, *flags, "--fill", folder / "fill.%d.png"))
+    assert f"fill.2.png: has 1 channels, and {folder}/fill.1.png 3; all" in message
+    assert "fill.3.png: is 20x30 but the target is 44x38" in message
+    message = refused(capsys, sequence(folder, *flags, "--fill", folder / "none.png"))
+    assert "none.png" in message
+    assert not list(folder.glob("out*"))
+
+
 def test_masks_that_do_not_fit_are_refused(shot, masked, capsys):
     folder, flags = shot[0], masked[1]
-    message = refused(capsys, sequence(folder, *flags, "--run", folder / "run"))
-    assert "--mask is not for --run, whose pictures are whole" in message
     message = refused(capsys, sequence(folder, *flags, "--output", f"{folder}/out.%d.jpg"))
     assert f"{folder}/out.1.jpg: " in message  # which cannot be transparent
     write_image(folder / "mask.2.png", np.full((38, 44), 255, np.uint8))

@@ -5,6 +5,7 @@ import sys
 import numpy as np
 import pytest
 from cli.calls import refused
+from small_run import write_run
 from studio.small_studio import SIZE, TARGET_SIZE, write_passes
 
 from stylit_ref import read_image, write_image
@@ -147,18 +148,21 @@ def test_a_missing_package_names_the_extra(tmp_path, monkeypatch, capsys, hidden
     ],
 )
 def test_a_panel_whose_room_is_missing_is_absent(served, monkeypatch, capsys, room, panel, options):
-    _forget(monkeypatch, "stylit_ref.studio.server.texture_panel", "stylit_ref.cli.studio_views",
-            "stylit_ref.studio.server.scan_panel", room)  # fmt: skip
+    names = "texture_panel", "texture_process", "dropped_texture", "scan_panel"
+    own_names = (f"stylit_ref.studio.server.{name}" for name in names)
+    _forget(monkeypatch, room, "stylit_ref.cli.studio_views", *own_names)
     monkeypatch.setitem(sys.modules, room, None)
     assert own(*options) == 130
     assert panel not in served["panels"]
     assert f"since {room}" in capsys.readouterr().err
 
 
-def test_panels_are_there_when_they_are_asked_for(served):
+def test_panels_are_there_when_they_are_asked_for(served, tmp_path):
+    write_run(tmp_path / "run")
     assert own("--texture", "sphere/FULL.png") == 130
-    assert set(served["panels"]) >= {"texture"}
-    assert "views" not in served["panels"]
+    assert served["panels"] == ["scan", "texture"]
+    assert own("--views", "run") == 130
+    assert served["panels"] == ["scan", "views"]
 
 
 def _forget(monkeypatch, *names):

@@ -36,7 +36,8 @@ def table_of(page):
 def test_one_file_holds_everything(run, tmp_path, capsys):
     page = tmp_path / "page.html"
     assert main(["viewer", str(run), "--output", str(page), "--title", "A <box> – 箱"]) == 0
-    assert re.search(r"wrote 0\.\d MB, 6 views", capsys.readouterr().err)
+    said = capsys.readouterr().err
+    assert re.search(rf"wrote {re.escape(str(page))} with 6 views, 0\.\d MB$", said.strip())
     table = table_of(page)
     assert (table["title"], table["width"], table["height"]) == ("A <box> – 箱", SIZE[1], SIZE[0])
     assert table["columns"]["positions"] == pytest.approx([-10, 0, 12])
@@ -182,6 +183,24 @@ def test_nnfs_of_any_program_make_the_same_views(run, manifest, tmp_path):
     assert table_of(theirs)["views"] == table_of(ours)["views"]
 
 
+def test_a_scene_5000_km_away_is_centred_in_its_page(run, manifest, tmp_path):
+    far, mesh = np.array([5e6, 0.0, -1e6]), Run(run).mesh()
+    lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in (mesh.vertices.astype(float) + far).tolist()]
+    lines += [f"f {a} {b} {c}" for a, b, c in (mesh.faces + 1).tolist()]
+    (tmp_path / "far.obj").write_text("\n".join(lines))
+    near = json.loads(Path(manifest()).read_text())["cameras"]
+    cameras = {
+        name: facts | {key: (far + facts[key]).tolist() for key in ("origin", "target")}
+        for name, facts in near.items()
+    }
+    page = tmp_path / "page.html"
+    file = manifest(pictures="{view}.png", cameras=cameras, mesh="far.obj")
+    assert main(["viewer", file, "--output", str(page), "--quiet"]) == 0
+    middle = (mesh.vertices.min(axis=0) + mesh.vertices.max(axis=0)) / 2
+    for view, facts in zip(table_of(page)["views"], near.values(), strict=True):
+        assert view["camera"]["origin"] == pytest.approx(facts["origin"] - middle, abs=1e-6)
+
+
 def test_pictures_alone_make_a_page(manifest, tmp_path):
     page = tmp_path / "page.html"
     assert main(["viewer", manifest(pictures="{view}.png"), "--output", str(page), "--quiet"]) == 0
@@ -201,6 +220,7 @@ def test_pictures_alone_make_a_page(manifest, tmp_path):
             "has 'picture'; known are grid, nnfs, style, patch_width, "
             "pictures, cameras, mesh; did you mean pictures?",
         ),
+        ({"guides": [], "motion": "m"}, "--run RUN, and name RUN in place of the manifest"),
         ({"pictures": "{view}.png", "grid": [["00"]]}, "at least two in all"),
         ({"pictures": "{view}.png", "cameras": {}}, "there is no camera of 00; the views between"),
         ({"pictures": "{view}.png", "cameras": {"00": 5}}, "the camera of 00 is 5; it must be an"),

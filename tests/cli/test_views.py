@@ -182,6 +182,25 @@ def test_a_run_holds_the_positions_that_the_manifest_names(grid):
     assert labels[10] != labels[20]
 
 
+def test_positions_that_do_not_fit_are_refused_before_anything_is_written(grid, capsys):
+    folder, manifest = grid
+    cameras = {
+        name: {"origin": [0, 0, 9 + k], "target": [0, 0, 0], "field_of_view": 30}
+        for k, name in enumerate(manifest["grid"][0])
+    }
+    for name in manifest["grid"][0]:
+        write_image(folder / f"at.{name}.exr", np.ones((38, 44, 3), np.float32))
+    told = manifest | {"positions": "at.{view}.exr", "cameras": cameras}
+    del told["motion"]
+    message = refused(capsys, views(folder, told, "--run", folder / "run"))
+    first = manifest["grid"][0][0]
+    assert f"{folder}/at.{first}.exr: the camera of {first} sees the points" in message
+    write_image(folder / f"at.{first}.exr", np.ones((38, 40, 3), np.float32))
+    message = refused(capsys, views(folder, told, "--run", folder / "run"))
+    assert f"the positions of {first} are 40x38, and its views are 44x38; render both" in message
+    assert not (folder / "run").exists()
+
+
 def test_a_mesh_that_is_none_is_refused_before_anything_is_written(grid, capsys):
     folder, manifest = grid
     (folder / "scene.obj").write_text("v 0 0 0\n")

@@ -27,9 +27,7 @@ f -4 -2 -1
 def test_polygons_become_triangles_and_materials_parts(tmp_path):
     (tmp_path / "scene.obj").write_text(TEXT)
     vertices, faces, parts = read_obj(tmp_path / "scene.obj")
-    np.testing.assert_array_equal(
-        vertices, np.float32([[0, 0, 0], [1.5, 0, 0], [1, 1, -0.2], [0, 1, 0]])
-    )
+    np.testing.assert_array_equal(vertices, [[0, 0, 0], [1.5, 0, 0], [1, 1, -0.2], [0, 1, 0]])
     assert faces.tolist() == [[0, 1, 2], [0, 2, 3], [0, 2, 3]]
     assert parts.tolist() == [0, 0, 1]
 

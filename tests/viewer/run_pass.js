@@ -6,7 +6,7 @@
   const kept = { voted: rgba(given.voted), shifted: given.shifted && Uint16Array.from(given.shifted) };
 
   const engine = window.stylitViewer.engines.make({
-    width, height, patchRadius: given.radius, reach: 1, mesh: null, hasPoints: false,
+    width, height, patchRadius: given.radius, reach: 1, mesh: null, hasPoints: false, slots: 4,
     style: { ...given.style, rgba: rgba(given.style.rgba) },
   });
   ({ webgl: prepareWebgl, script: prepareScript })[engine.name]();

@@ -3,7 +3,7 @@
   const { width, height, faces, inverse, beside, lens, viewLens } = given;
   const pixels = width * height;
   const engine = window.stylitViewer.engines.make({
-    width, height, patchRadius: 0, reach: 1, mesh: null, hasPoints: true,
+    width, height, patchRadius: 0, reach: 1, mesh: null, hasPoints: true, slots: 4,
     style: { width: 1, height: 1, rgba: new Uint8Array(4) },
   });
   engine.keep(0, { field: new Uint16Array(2 * pixels), rgba: null, points: null, lens: null });

@@ -1,6 +1,7 @@
 """The page from the disk: one file and a folder, hands and keys, and what may go wrong."""
 
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -114,6 +115,36 @@ def test_modes_and_motion_are_chosen_and_asked_for(open_page, page_file):
     assert (
         "1.50 degrees to the left and 2.00 degrees up" in page.page.locator("#view").text_content()
     )
+
+
+@pytest.mark.parametrize(
+    ("query", "said"),
+    [
+        (
+            "?mode=blurred",
+            "The address asks for mode=blurred; choose one of linear, image, blend, ",
+        ),
+        ("?view=2.5", "The address asks for view=2.5; a place is two numbers, such as 2.5,-1.25."),
+        (
+            "?motion=double&engine=gpu",
+            "motion=double; choose one of full, half, quarter. The addre",
+        ),
+    ],
+)
+def test_what_the_address_asks_for_in_vain_is_told(open_page, page_file, query, said):
+    page = open_page(page_file, query).rested()
+    assert said in page.page.locator("#waiting").text_content()
+    assert page.place() == [0, 0]
+
+
+def test_a_mode_that_a_page_lacks_data_for_is_told(open_page, tmp_path):
+    views = small_views()
+    views = replace(views, style=None, view=lambda frame: np.zeros((*SIZE, 3), np.uint8))
+    file = tmp_path / "pictures.html"
+    file.write_bytes(page_bytes(make_contents(views, title="Pictures", band=0.6)))
+    page = open_page(file, "?mode=fade").rested()
+    said = "The address asks for mode=fade, and this page has no data for it."
+    assert page.page.locator("#waiting").text_content() == said
 
 
 def test_limited_search_waits_until_the_drawing_rests(open_page, page_file):
@@ -291,6 +322,28 @@ def test_a_still_is_the_replay_in_the_larger_style(open_page, tmp_path, engine):
     (searched,) = page.draws((0.5, 1.0), "limited", "searched")
     expected = replay(searched.astype(np.int32), large, patch_width=5, scale=2)
     assert np.array_equal(still[..., :3], expected)
+
+
+@pytest.mark.parametrize("engine", ["webgl", "script"])
+def test_a_still_of_a_fade_fades(open_page, tmp_path, engine):
+    views = small_views()
+    file = tmp_path / "still.html"
+    contents = make_contents(views, title="Still", band=0.6, still=views.style)
+    file.write_bytes(page_bytes(contents))
+    page = open_page(file, f"?engine={engine}&mode=fade&view=0.2,-0.3").rested()
+    with page.page.expect_download() as download:
+        page.page.locator("#save").click()
+    still = read_uint8(download.value.path())[..., :3]
+    # In the style's own size it is the picture that the page shows.
+    (faded,) = page.draws((0.2, -0.3), "fade", "mixed")
+    (closest,) = page.draws((0.2, -0.3), "limited", "frame0")
+    assert np.array_equal(still, faded[..., :3])
+    assert not np.array_equal(still, closest[..., :3])
+
+
+def test_a_grid_takes_as_many_textures_as_it_has_views(open_page, page_file):
+    page = open_page(page_file, "?engine=webgl").rested().page
+    assert page.evaluate("window.stylitViewer.viewer.engine.stage.slots") == 4
 
 
 def test_a_large_grid_is_streamed(open_page, tmp_path):

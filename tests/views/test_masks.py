@@ -4,7 +4,17 @@ import numpy as np
 import pytest
 from small_shot import EFFORT, sliding
 
-from stylit_ref import ArrayShot, Coherence, InputError, Motion, Params, stylize, stylize_views
+from stylit_ref import (
+    ArrayShot,
+    Coherence,
+    InputError,
+    Motion,
+    Params,
+    replay_run,
+    stylize,
+    stylize_views,
+    views_of_run,
+)
 from stylit_ref.views.coherence import without_masked
 from stylit_ref.views.problem import make_problem
 from stylit_ref.views.run_writer import RunWriter
@@ -109,11 +119,21 @@ def test_masks_that_do_not_fit_are_refused(scene, masks):
         shot(scene, [None, np.ones_like(masks[0])])
 
 
-def test_a_run_has_whole_pictures(scene, masks, tmp_path):
-    problem = make_problem(scene.style, scene.sources, shot(scene, [None, masks[1]]), PARAMS)
-    with pytest.raises(InputError, match="mask is not for a RUN, whose pictures are whole"):
-        RunWriter(tmp_path / "run", problem)
-    assert not list(tmp_path.iterdir())
+def test_a_run_keeps_masks_and_replays_them(scene, masks, tmp_path):
+    some = shot(scene, [None, masks[1]])
+    problem = make_problem(scene.style, scene.sources, some, PARAMS)
+    writer = RunWriter(tmp_path, problem)
+    for result in stylize_views(scene.style, scene.sources, some, PARAMS):
+        writer.add(result)
+    run = writer.finish()
+    assert run.has_masks
+    assert run.field(0).mask is None
+    assert np.array_equal(run.field(1).mask, masks[1])
+    assert np.array_equal(run.picture(1)[:, :, 3], 255 * ~masks[1])
+    for frame, replayed in enumerate(replay_run(run, run.style())):
+        assert np.array_equal(replayed.image, run.picture(frame))
+    with pytest.raises(InputError, match="was drawn with --mask, and views between others need"):
+        views_of_run(run)
 
 
 def test_motion_to_nowhere_is_hidden_by_no_mask(scene, masks):

@@ -49,3 +49,10 @@ def test_parts_do_not_join():
 def test_what_is_no_mesh(vertices, faces, said):
     with pytest.raises(InputError, match=said):
         make_mesh(vertices, faces)
+
+
+def test_far_away_vertices_keep_their_bits_and_close_ones_do_not():
+    far = SQUARES.astype(np.float64) + 5e6  # 5000 km away, in metres
+    assert make_mesh(far, STRIP).vertices.dtype == np.float64
+    np.testing.assert_array_equal(make_mesh(far, STRIP).vertices, far)
+    assert make_mesh(SQUARES.astype(np.float64) + 5, STRIP).vertices.dtype == np.float32

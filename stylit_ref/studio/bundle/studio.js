@@ -924,26 +924,29 @@
     /** A rectangle is sent; `time` is when the pointer made the first of it. */
     sends(serial, time) {
       this.moved.set(serial, time);
+      this.rested.clear();
     }
     rests(serial) {
       this.rested.set(serial, performance.now());
     }
-    /** A picture has been drawn in this frame. */
+    /** A picture has been drawn in this frame. Paint is answered by the first that shows it, of whatever kind. */
     shows(which, serial) {
-      const begun = which === "replay" ? this.moved : which === "coherent" ? this.rested : null;
-      if (!begun) return;
       const { port1, port2 } = new MessageChannel();
       port1.onmessage = () => {
         port1.close();
-        const now = performance.now();
-        for (const [known, time] of begun) {
-          if (known > serial) continue;
-          begun.delete(known);
-          this.times.push({ which, serial: known, milliseconds: now - time });
-        }
+        this.answer("replay", this.moved, serial);
+        if (which !== "replay") this.answer("coherent", this.rested, serial);
         this.times.splice(0, this.times.length - MOST);
       };
       port2.postMessage(null);
+    }
+    answer(which, asked, serial) {
+      const now = performance.now();
+      for (const [known, time] of asked) {
+        if (known > serial) continue;
+        asked.delete(known);
+        this.times.push({ which, serial: known, milliseconds: now - time });
+      }
     }
   };
 

@@ -250,7 +250,8 @@ class Live:
 
         def change_and_restart():
             change()
-            self._stepper.do("restart")
+            if self._stepper.is_begun:
+                self._step("restart")
 
         self._worker.change(change_and_restart, wanted)
 

@@ -32,6 +32,11 @@ class Stepper:
         self._steps: FrameSteps | None = None
 
     @property
+    def is_begun(self) -> bool:
+        """Whether a step was done since it restarted."""
+        return self._steps is not None
+
+    @property
     def state(self) -> Stepped:
         """How far the frame has come."""
         if self._steps is None:

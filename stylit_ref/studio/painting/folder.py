@@ -76,6 +76,8 @@ class PaintingFolder:
     Attributes
     ----------
     folder : Path
+    root : Path
+        The folder that keeps the setting: this one, or the one that it is within.
 
     Raises
     ------
@@ -86,7 +88,7 @@ class PaintingFolder:
     def __init__(self, folder: str | Path, within: "PaintingFolder | None" = None) -> None:
         check_folder(folder)
         self.folder: Path = Path(folder)
-        self._setting: Path = within._setting if within else self.folder / "studio.json"
+        self.root: Path = within.root if within else self.folder
 
     @property
     def style(self) -> Path:
@@ -127,6 +129,10 @@ class PaintingFolder:
             return 0
         names = (each.name for each in self._exports.iterdir() if each.is_dir())
         return max((int(name) for name in names if name.isdecimal()), default=0)
+
+    @property
+    def _setting(self) -> Path:
+        return self.root / "studio.json"
 
     @property
     def _beginning(self) -> Path:

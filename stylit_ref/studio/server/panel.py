@@ -1,6 +1,6 @@
 """Parts of the page that a studio may have or not."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 from starlette.routing import BaseRoute
@@ -14,7 +14,10 @@ class Panel(NamedTuple):
     name : str
         By which the page knows it.
     routes : sequence of BaseRoute
+    close : callable
+        Gives up what is being made, when the studio ends.
     """
 
     name: str
     routes: Sequence[BaseRoute]
+    close: Callable[[], None] = lambda: None

@@ -62,6 +62,8 @@ def serve(
         finally:
             if watcher:
                 watcher.close()
+            for panel in panels:
+                panel.close()
             desk.close()
 
     asyncio.run(run())

@@ -96,14 +96,16 @@ def _edges(grey, matrix, marks, reach, pixel):
     seen = through(matrix, across) - 0.5
     values = map_coordinates(grey, (seen[..., 1], seen[..., 0]), order=1, mode="nearest")
     rise = values[..., 2:] - values[..., :-2]  # from black to paper
-    best = np.clip(rise.argmax(axis=-1), 1, rise.shape[-1] - 2)[..., None]
+    steepest = rise.argmax(axis=-1)
+    best = np.clip(steepest, 1, rise.shape[-1] - 2)[..., None]
     before, at, after = (
         np.take_along_axis(rise, best + step, axis=-1)[..., 0] for step in (-1, 0, 1)
     )
     bend = before - 2 * at + after
     peak = np.where(bend < 0, 0.5 * (before - after) / np.minimum(bend, -1e-9), 0)
     shift = steps[best[..., 0] + 1] + np.clip(peak, -1, 1) * pixel / 2
-    clear = (at > _FAINT * np.quantile(at, 0.75)) & (bend < 0)
+    is_edge = steepest == best[..., 0]  # one that begins outside the reach is something else's
+    clear = is_edge & (at > _FAINT * np.quantile(at, 0.75)) & (bend < 0)
     places = through(matrix, on_side + shift[..., None] * normal)
     offsets = (on_side * normal).sum(axis=-1)
     return _Edges(places[clear], normal[clear], offsets[clear])

@@ -160,6 +160,10 @@
     return (sum ^ 4294967295) >>> 0;
   }
 
+  // src/engine.ts
+  var SKY = 65535;
+  var SLOTS = 16;
+
   // src/vectors.ts
   var dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
   var minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
@@ -403,15 +407,15 @@
   }
 
   // src/script/mix.ts
-  function mix(pictures, weights, mixed) {
+  function mix(pictures, weights, mixed2) {
     const whole = weights.reduce((sum, each) => sum + each, 0);
-    for (let i = 0; i < mixed.length; i++) {
+    for (let i = 0; i < mixed2.length; i++) {
       let sum = 0;
       for (let k = 0; k < pictures.length; k++) sum += weights[k] * pictures[k][i];
-      mixed[i] = Math.floor((2 * sum + whole) / (2 * whole));
+      mixed2[i] = Math.floor((2 * sum + whole) / (2 * whole));
     }
   }
-  function mixShifted(places, pictures, weights, mixed) {
+  function mixShifted(places, pictures, weights, mixed2) {
     for (let p = 0; p < places[0].length; p++) {
       const isHeard = (k) => places[k][p] >= 0 && weights[k] > 0;
       let whole = 0;
@@ -420,7 +424,7 @@
       for (let c = 0; c < 4; c++) {
         let sum = 0;
         for (let k = 0; k < places.length; k++) if (isHeard(k)) sum += weights[k] * pictures[k][4 * places[k][p] + c];
-        mixed[4 * p + c] = whole ? Math.floor((2 * sum + whole) / (2 * whole)) : pictures[first][4 * place + c];
+        mixed2[4 * p + c] = whole ? Math.floor((2 * sum + whole) / (2 * whole)) : pictures[first][4 * place + c];
       }
     }
   }
@@ -452,10 +456,6 @@
       }
     return places;
   }
-
-  // src/engine.ts
-  var SKY = 65535;
-  var SLOTS = 16;
 
   // src/script/raster.ts
   function raster(mesh, lens, pictureWidth, pictureHeight, step) {
@@ -592,6 +592,25 @@
     return grown;
   }
 
+  // src/points.ts
+  var SLACK = 0.1;
+  function pointsOf(planes, width, height) {
+    const pixels = width * height;
+    const points = new Uint32Array(2 * pixels);
+    for (let y = 0, i = 0; y < height; y++) {
+      let [label, slope, bits] = [0, 0, 0];
+      for (let x = 0; x < width; x++, i++) {
+        const byte = (plane) => planes[plane * pixels + i];
+        label = label + (byte(0) | byte(1) << 8) & 65535;
+        slope = slope + (byte(2) | byte(3) << 8 | byte(4) << 16 | byte(5) << 24) | 0;
+        bits = bits + slope | 0;
+        points[2 * i] = label;
+        points[2 * i + 1] = bits;
+      }
+    }
+    return points;
+  }
+
   // src/script/splat.ts
   var { floor } = Math;
   function surfaceOf(points, width, height) {
@@ -608,6 +627,7 @@
     const [width, height] = [viewWidth, viewHeight].map((side) => Math.ceil(side / step));
     const faces = new Uint16Array(width * height).fill(SKY);
     const inverse = new Float32Array(width * height);
+    const merits = new Float32Array(width * height);
     for (const { points, lens: from } of views) {
       const [across, down, depth] = transferOf(from, lens);
       const bits = new Float32Array(points.buffer);
@@ -616,12 +636,17 @@
           const v = bits[2 * p + 1];
           const z = depth[0] * x + depth[1] * y + depth[2] + depth[3] * v;
           if (!(v > 0 && z > 0)) continue;
-          const column = floor((floor((across[0] * x + across[1] * y + across[2] + across[3] * v) / z + 0.5) + 0.5) / step);
-          const row = floor((floor((down[0] * x + down[1] * y + down[2] + down[3] * v) / z + 0.5) + 0.5) / step);
+          const right = (across[0] * x + across[1] * y + across[2] + across[3] * v) / z + 0.5;
+          const below = (down[0] * x + down[1] * y + down[2] + down[3] * v) / z + 0.5;
+          const column = floor((floor(right) + 0.5) / step);
+          const row = floor((floor(below) + 0.5) / step);
           if (column < 0 || column >= width || row < 0 || row >= height) continue;
           const to = row * width + column;
           const near = Math.fround(v / z);
-          if (near <= inverse[to]) continue;
+          const [awayX, awayY] = [right / step - column - 0.5, below / step - row - 0.5];
+          const merit = Math.fround(near * (1 - SLACK * (awayX * awayX + awayY * awayY)));
+          if (merit <= merits[to]) continue;
+          merits[to] = merit;
           inverse[to] = near;
           faces[to] = points[2 * p];
         }
@@ -713,15 +738,15 @@
     picture(moment) {
       const { mode, around } = moment;
       const views = around.map((view) => this.kept[view.slot]);
-      const mixed = new Uint8Array(this.voted.length);
+      const mixed2 = new Uint8Array(this.voted.length);
       if (mode === "linear") {
-        mix(views.map((view) => this.pictureOf(view)), around.map((view) => view.linear), mixed);
-        return mixed;
+        mix(views.map((view) => this.pictureOf(view)), around.map((view) => view.linear), mixed2);
+        return mixed2;
       }
       const places = this.found = this.places(moment);
       if (mode === "image" || mode === "blend") {
-        mixShifted(places, views.map((view) => this.pictureOf(view)), shiftedWeights(moment), mixed);
-        return mixed;
+        mixShifted(places, views.map((view) => this.pictureOf(view)), shiftedWeights(moment), mixed2);
+        return mixed2;
       }
       const fields = views.map((view) => view.field);
       const frames = framesOf(moment);
@@ -731,8 +756,8 @@
       });
       this.frames = made.reverse();
       if (made.length === 1) return made[0];
-      mix(this.frames, frames.map((frame) => frame.weight), mixed);
-      return mixed;
+      mix(this.frames, frames.map((frame) => frame.weight), mixed2);
+      return mixed2;
     }
     frame(places, fields, isShiftAlone) {
       const { shifted, searched } = this.fields;
@@ -1038,8 +1063,8 @@ void main() {
 
   // src/webgl/buffers.ts
   function makeBuffers(context, stage) {
-    const { width, height, style, mesh, hasPoints: hasPoints2 } = stage;
-    const kept = (format, isNeeded) => isNeeded ? context.texture(format, width, height, SLOTS) : context.texture(format, 1, 1, 1);
+    const { width, height, style, mesh, hasPoints: hasPoints2, slots } = stage;
+    const kept = (format, isNeeded) => isNeeded ? context.texture(format, width, height, slots) : context.texture(format, 1, 1, 1);
     const work = (format) => context.texture(format, width, height);
     const field = () => context.texture("RG16UI", width, height, 1);
     const buffers = {
@@ -1312,6 +1337,7 @@ uniform ivec2 viewSize, size;
 uniform int step;
 flat out uint label;
 flat out float inverse;
+flat out float merit;
 void main() {
   int pixels = viewSize.x * viewSize.y, k = gl_VertexID / pixels, n = gl_VertexID % pixels;
   ivec2 from = ivec2(n % viewSize.x, n / viewSize.x);
@@ -1324,16 +1350,19 @@ void main() {
   inverse = v / depth;
   gl_PointSize = 1.;
   vec2 landed = floor((floor(at + .5) + .5) / float(step)) + .5;
+  vec2 away = (at + .5) / float(step) - landed;
+  merit = inverse * (1. - ${SLACK} * dot(away, away));
   gl_Position = v > 0. && depth > 0. ? vec4(2. * landed / vec2(size) - 1., 0., 1.) : vec4(2., 2., 0., 1.);
 }`;
   var SPLAT = `
 flat in uint label;
 flat in float inverse;
+flat in float merit;
 uniform float near;
 layout(location = 0) out uvec2 surface;
 void main() {
   surface = uvec2(label, floatBitsToUint(inverse));
-  gl_FragDepth = inverse * near;
+  gl_FragDepth = merit * near;
 }`;
   var FILL_HOLES = `
 uniform usampler2D sparse;
@@ -1473,7 +1502,7 @@ void main() {
     surface;
     beside;
     targets = /* @__PURE__ */ new Map();
-    hasPicture = Array(SLOTS).fill(false);
+    hasPicture;
     labels = program(LABELS);
     motion = program(MOTION);
     shift = program(SHIFT);
@@ -1486,6 +1515,7 @@ void main() {
     constructor(gl, stage) {
       this.context = new Context(gl);
       this.stage = stage;
+      this.hasPicture = Array(stage.slots).fill(false);
       this.buffers = makeBuffers(this.context, stage);
       if (stage.mesh) this.surface = new MeshSurface(this.context, this.buffers, stage, stage.mesh);
       else this.surface = stage.hasPoints ? new PointSurface(this.context, this.buffers, stage) : null;
@@ -1526,21 +1556,21 @@ void main() {
     /** Run the passes of a mode; returns the texture that they end in. */
     picture(moment) {
       const { mode, around } = moment;
-      const { pictures, voted, mixed } = this.buffers;
+      const { pictures, voted, mixed: mixed2 } = this.buffers;
       const slots = around.map((view) => view.slot);
       const views = { slots: four(slots), count: slots.length };
       if (mode === "linear") {
         this.votePictures(slots);
         const weights2 = four(around.map((view) => view.linear));
         this.fill(this.mixViews, { ...views, weights: weights2, pictures }, "mixed");
-        return mixed;
+        return mixed2;
       }
       const places = { ...views, ...this.findMotion(moment) };
       if (mode === "image" || mode === "blend") {
         this.votePictures(slots);
         const values = { ...places, weights: four(shiftedWeights(moment)), order: four([0, 1, 2, 3]), pictures };
         this.fill(this.mixShifted, values, "mixed");
-        return mixed;
+        return mixed2;
       }
       const frames = framesOf(moment);
       for (const n of [...frames.keys()].reverse()) this.makeFrame(mode === "nnf", frames[n].order, places, FRAMES[n]);
@@ -1549,7 +1579,7 @@ void main() {
       const { frame0, frame1, frame2, frame3 } = this.buffers;
       const weights = four(frames.map((frame) => frame.weight));
       this.fill(this.mixFrames, { frame0, frame1, frame2, frame3, weights }, "mixed");
-      return mixed;
+      return mixed2;
     }
     /** Shift and vote; search and vote. */
     makeFrame(isShiftAlone, order, places, into) {
@@ -1703,6 +1733,7 @@ void main() {
     view = byId("view");
     rate = byId("rate");
     waiting = byId("waiting");
+    remark = "";
     /** A sentence in place of the drawing; an empty one shows it again. */
     say(sentence2) {
       this.message.textContent = sentence2;
@@ -1731,7 +1762,12 @@ void main() {
       this.rate.textContent = number && `${number} frames a second`;
     }
     tellWaiting(text) {
-      this.waiting.textContent = text;
+      this.waiting.textContent = text || this.remark;
+    }
+    /** What is told as long as there is nothing else. */
+    tellRemark(text) {
+      this.remark = text;
+      this.tellWaiting("");
     }
     /** Give the still to the user as a file. */
     download(blob, name) {
@@ -1744,20 +1780,33 @@ void main() {
   };
 
   // src/parameters.ts
+  var ENGINES = ["webgl", "script"];
   function readParameters(search) {
     const given = new URLSearchParams(search);
-    const view = (given.get("view") ?? "").split(",").map(Number);
-    const mode = given.get("mode") ?? "";
-    const motion = given.get("motion") ?? "";
-    const engine = given.get("engine");
+    const strange = [];
+    const oneOf = (key, names) => {
+      const value = given.get(key);
+      const found = names.find((name) => name === value) ?? null;
+      if (value !== null && found === null)
+        strange.push(`The address asks for ${key}=${value}; choose one of ${names.join(", ")}.`);
+      return found;
+    };
+    const place = () => {
+      const text = given.get("view");
+      if (text === null) return null;
+      const numbers = text.split(",").map((word) => word.trim() ? Number(word) : NaN);
+      if (numbers.length === 2 && numbers.every(Number.isFinite)) return numbers;
+      strange.push(`The address asks for view=${text}; a place is two numbers, such as 2.5,-1.25.`);
+      return null;
+    };
     return {
-      view: given.has("view") && view.length === 2 && view.every(Number.isFinite) ? view : null,
-      mode: isOneOf(mode, MODES) ? mode : null,
-      motion: isOneOf(motion, STEPS) ? motion : "full",
-      engine: engine === "webgl" || engine === "script" ? engine : null
+      view: place(),
+      mode: oneOf("mode", Object.keys(MODES)),
+      motion: oneOf("motion", Object.keys(STEPS)) ?? "full",
+      engine: oneOf("engine", ENGINES),
+      strange
     };
   }
-  var isOneOf = (name, table) => Object.keys(table).includes(name);
 
   // src/pixels.ts
   function toRgba(colours) {
@@ -1849,6 +1898,18 @@ void main() {
   }
 
   // src/still.ts
+  function mixed(pictures, weights) {
+    if (pictures.length === 1) return pictures[0];
+    const [{ width, height }] = pictures;
+    const image = new ImageData(width, height);
+    const whole = weights.reduce((sum, weight) => sum + weight, 0);
+    for (let i = 0; i < image.data.length; i++) {
+      let sum = 0;
+      for (const [k, picture] of pictures.entries()) sum += weights[k] * picture.data[i];
+      image.data[i] = Math.floor((2 * sum + whole) / (2 * whole));
+    }
+    return image;
+  }
   function replay(field, width, height, radius, { scale, width: stride, rgba }) {
     const image = new ImageData(width * scale, height * scale);
     const colours = image.data;
@@ -1916,24 +1977,6 @@ void main() {
     return field;
   }
   var unfolded = (number) => number & 1 ? -(number + 1) / 2 : number / 2;
-
-  // src/points.ts
-  function pointsOf(planes, width, height) {
-    const pixels = width * height;
-    const points = new Uint32Array(2 * pixels);
-    for (let y = 0, i = 0; y < height; y++) {
-      let [label, slope, bits] = [0, 0, 0];
-      for (let x = 0; x < width; x++, i++) {
-        const byte = (plane) => planes[plane * pixels + i];
-        label = label + (byte(0) | byte(1) << 8) & 65535;
-        slope = slope + (byte(2) | byte(3) << 8 | byte(4) << 16 | byte(5) << 24) | 0;
-        bits = bits + slope | 0;
-        points[2 * i] = label;
-        points[2 * i + 1] = bits;
-      }
-    }
-    return points;
-  }
 
   // src/store.ts
   var Store = class {
@@ -2060,6 +2103,7 @@ void main() {
 
   // src/viewer.ts
   var REST = 200;
+  var STILL_TO_COME = "Views are still to come. Try again in a moment.";
   var Viewer = class {
     pace = new Pace();
     place;
@@ -2111,9 +2155,21 @@ void main() {
     /** Draw a place at once with all passes, whatever the pace; views must be there. */
     drawNow(mode = this.mode) {
       const moment = this.moment(mode);
-      if (!moment || !this.engine) throw new PageError("Views are still to come. Try again in a moment.");
+      if (!moment || !this.engine) throw new PageError(STILL_TO_COME);
       this.engine.draw(moment);
       return this.engine;
+    }
+    /** The fields that the picture of this place is voted from, and their weights; views must be there. */
+    fields() {
+      const moment = this.moment(this.mode);
+      if (!moment || !this.engine) throw new PageError(STILL_TO_COME);
+      const { engine, mode } = this;
+      const found = framesOf(moment).map(({ order, weight }) => {
+        engine.draw({ ...moment, mode: mode === "fade" ? "limited" : mode, around: order.map((k) => moment.around[k]) });
+        return { pixels: engine.read(mode === "nnf" ? "shifted" : "searched").slice(), weight };
+      });
+      engine.draw(moment);
+      return found;
     }
     /** The views that are needed here. */
     get needed() {
@@ -2197,6 +2253,9 @@ void main() {
     const isPossible = (mode2) => (hasFields || !needsFields(mode2)) && (hasModel || !needsModel(mode2));
     const best = ["fade", "image", "linear"].find(isPossible);
     const mode = parameters.mode && isPossible(parameters.mode) ? parameters.mode : best;
+    if (parameters.mode && mode !== parameters.mode)
+      parameters.strange.push(`The address asks for mode=${parameters.mode}, and this page has no data for it.`);
+    panel.tellRemark(parameters.strange.join(" "));
     const store = new Store(data, source);
     const fail = (error) => panel.say(sentence(error));
     const warn = (error) => panel.tellWaiting(sentence(error));
@@ -2233,21 +2292,23 @@ void main() {
       reach,
       style: style && colours && { width: style.width, height: style.height, rgba: toRgba(colours) },
       mesh: mesh && triangles && meshOf(mesh, triangles),
-      hasPoints: hasPoints(data)
+      hasPoints: hasPoints(data),
+      slots: Math.min(SLOTS, data.views.length)
     };
   }
   async function save(panel, viewer, data, stage, source) {
-    const engine = viewer.drawNow();
     let canvas = panel.canvas;
     if (data.still && data.style && needsFields(viewer.mode)) {
       const { scale, piece } = data.still;
-      const rgba = toRgba(await decode(piece, source));
-      const field = engine.read(viewer.mode === "nnf" ? "shifted" : "searched");
-      const style = { scale, width: scale * data.style.width, rgba };
-      const image = replay(field, stage.width, stage.height, stage.patchRadius, style);
+      const fields = viewer.fields();
+      const style = { scale, width: scale * data.style.width, rgba: toRgba(await decode(piece, source)) };
+      const image = mixed(
+        fields.map((field) => replay(field.pixels, stage.width, stage.height, stage.patchRadius, style)),
+        fields.map((field) => field.weight)
+      );
       canvas = Object.assign(document.createElement("canvas"), { width: image.width, height: image.height });
       canvas.getContext("2d")?.putImageData(image, 0, 0);
-    }
+    } else viewer.drawNow();
     const blob = await new Promise((resolve) => canvas.toBlob(resolve));
     if (!blob) throw new PageError("The still is too large for this browser. Save it in another one.");
     panel.download(blob, "still.png");

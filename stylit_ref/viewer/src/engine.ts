@@ -29,6 +29,8 @@ export interface Stage {
   mesh: Mesh | null;
   /** In place of a mesh, whether views have points. */
   hasPoints: boolean;
+  /** How many views are kept ready, at most SLOTS. */
+  slots: number;
 }
 
 /** A view as it was decoded. */
@@ -53,7 +55,7 @@ export interface Moment {
 
 export interface Engine {
   readonly name: "webgl" | "script";
-  /** Keep a view in one of SLOTS places. */
+  /** Keep a view in one of the stage's slots. */
   keep(slot: number, view: ViewPixels): void;
   draw(moment: Moment): void;
   /** Wait until what was asked for is drawn. */
@@ -62,5 +64,5 @@ export interface Engine {
   read(buffer: string): Uint8Array | Uint16Array | Uint32Array | Int16Array | Int32Array | Float32Array;
 }
 
-/** How many views are kept ready; the one that was not needed for longest gives way. */
+/** How many views are kept ready at most; the one that was not needed for longest gives way. */
 export const SLOTS = 16;

@@ -2,7 +2,7 @@
 
 import { control } from "./controls.js";
 import { decode } from "./decode.js";
-import type { Stage } from "./engine.js";
+import { SLOTS, type Stage } from "./engine.js";
 import { Engines } from "./engines.js";
 import { Grid, type Place } from "./grid.js";
 import { meshOf } from "./mesh.js";
@@ -12,7 +12,7 @@ import { Panel } from "./panel.js";
 import { readParameters } from "./parameters.js";
 import { toRgba } from "./pixels.js";
 import { sourceOf, type Source } from "./source.js";
-import { replay } from "./still.js";
+import { mixed, replay } from "./still.js";
 import { Store } from "./store.js";
 import { Viewer } from "./viewer.js";
 
@@ -37,6 +37,9 @@ async function start(panel: Panel): Promise<void> {
   const isPossible = (mode: Mode) => (hasFields || !needsFields(mode)) && (hasModel || !needsModel(mode));
   const best = (["fade", "image", "linear"] as const).find(isPossible) as Mode;
   const mode = parameters.mode && isPossible(parameters.mode) ? parameters.mode : best;
+  if (parameters.mode && mode !== parameters.mode)
+    parameters.strange.push(`The address asks for mode=${parameters.mode}, and this page has no data for it.`);
+  panel.tellRemark(parameters.strange.join(" "));
 
   const store = new Store(data, source);
   const fail = (error: unknown) => panel.say(sentence(error));
@@ -78,22 +81,24 @@ async function readStage(data: PageData, source: Source): Promise<Stage> {
     style: style && colours && { width: style.width, height: style.height, rgba: toRgba(colours) },
     mesh: mesh && triangles && meshOf(mesh, triangles),
     hasPoints: hasPoints(data),
+    slots: Math.min(SLOTS, data.views.length),
   };
 }
 
 /** Save what is shown; where there is a field, with the style at its own size. */
 async function save(panel: Panel, viewer: Viewer, data: PageData, stage: Stage, source: Source): Promise<void> {
-  const engine = viewer.drawNow();
   let canvas = panel.canvas;
   if (data.still && data.style && needsFields(viewer.mode)) {
     const { scale, piece } = data.still;
-    const rgba = toRgba(await decode(piece, source));
-    const field = engine.read(viewer.mode === "nnf" ? "shifted" : "searched") as Uint16Array;
-    const style = { scale, width: scale * data.style.width, rgba };
-    const image = replay(field, stage.width, stage.height, stage.patchRadius, style);
+    const fields = viewer.fields();
+    const style = { scale, width: scale * data.style.width, rgba: toRgba(await decode(piece, source)) };
+    const image = mixed(
+      fields.map((field) => replay(field.pixels, stage.width, stage.height, stage.patchRadius, style)),
+      fields.map((field) => field.weight),
+    );
     canvas = Object.assign(document.createElement("canvas"), { width: image.width, height: image.height });
     canvas.getContext("2d")?.putImageData(image, 0, 0);
-  }
+  } else viewer.drawNow();
   const blob = await new Promise<Blob | null>((resolve) => canvas.toBlob(resolve));
   if (!blob) throw new PageError("The still is too large for this browser. Save it in another one.");
   panel.download(blob, "still.png");

@@ -19,6 +19,7 @@ export class Panel {
   private readonly view = byId("view");
   private readonly rate = byId("rate");
   private readonly waiting = byId("waiting");
+  private remark = "";
 
   /** A sentence in place of the drawing; an empty one shows it again. */
   say(sentence: string): void {
@@ -52,7 +53,13 @@ export class Panel {
   }
 
   tellWaiting(text: string): void {
-    this.waiting.textContent = text;
+    this.waiting.textContent = text || this.remark;
+  }
+
+  /** What is told as long as there is nothing else. */
+  tellRemark(text: string): void {
+    this.remark = text;
+    this.tellWaiting("");
   }
 
   /** Give the still to the user as a file. */

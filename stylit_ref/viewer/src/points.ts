@@ -1,5 +1,8 @@
 // What a view shows, pixel by pixel, where there is no mesh.
 
+/** How much farther away a point counts that lands beside the middle of a pixel: by that times the square of how far. */
+export const SLACK = 0.1;
+
 /** For each pixel its label, and the bits of its inverse depth as a float of 32 bits. */
 export type Points = Uint32Array<ArrayBuffer>;
 

@@ -8,6 +8,20 @@ export interface StillStyle {
   rgba: Uint8Array;
 }
 
+/** The weighted mean of pictures of one size, rounded half up. */
+export function mixed(pictures: ImageData[], weights: number[]): ImageData {
+  if (pictures.length === 1) return pictures[0];
+  const [{ width, height }] = pictures;
+  const image = new ImageData(width, height);
+  const whole = weights.reduce((sum, weight) => sum + weight, 0);
+  for (let i = 0; i < image.data.length; i++) {
+    let sum = 0;
+    for (const [k, picture] of pictures.entries()) sum += weights[k] * picture.data[i];
+    image.data[i] = Math.floor((2 * sum + whole) / (2 * whole));
+  }
+  return image;
+}
+
 /** As stylit_ref.replay: means of votes, rounded half up. */
 export function replay(
   field: Uint16Array, width: number, height: number, radius: number, { scale, width: stride, rgba }: StillStyle,

@@ -2,6 +2,7 @@
 
 import { lensOf } from "./camera.js";
 import type { Engine, Moment } from "./engine.js";
+import { framesOf } from "./fading.js";
 import type { Grid, Place } from "./grid.js";
 import { STEPS, type Mode, type Motion } from "./modes.js";
 import { Pace } from "./pace.js";
@@ -10,6 +11,8 @@ import type { Store } from "./store.js";
 
 /** Milliseconds without a turn until the drawing counts as resting. */
 const REST = 200;
+
+const STILL_TO_COME = "Views are still to come. Try again in a moment.";
 
 /** What the viewer tells about itself. */
 export interface Told {
@@ -77,9 +80,23 @@ export class Viewer {
   /** Draw a place at once with all passes, whatever the pace; views must be there. */
   drawNow(mode: Mode = this.mode): Engine {
     const moment = this.moment(mode);
-    if (!moment || !this.engine) throw new PageError("Views are still to come. Try again in a moment.");
+    if (!moment || !this.engine) throw new PageError(STILL_TO_COME);
     this.engine.draw(moment);
     return this.engine;
+  }
+
+  /** The fields that the picture of this place is voted from, and their weights; views must be there. */
+  fields(): { pixels: Uint16Array; weight: number }[] {
+    const moment = this.moment(this.mode);
+    if (!moment || !this.engine) throw new PageError(STILL_TO_COME);
+    const { engine, mode } = this;
+    // Fading frames are drawn one by one, since buffers hold the last one alone.
+    const found = framesOf(moment).map(({ order, weight }) => {
+      engine.draw({ ...moment, mode: mode === "fade" ? "limited" : mode, around: order.map((k) => moment.around[k]) });
+      return { pixels: (engine.read(mode === "nnf" ? "shifted" : "searched") as Uint16Array).slice(), weight };
+    });
+    engine.draw(moment);
+    return found;
   }
 
   /** The views that are needed here. */

@@ -6,7 +6,6 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import distance_transform_edt
 
 from stylit_ref.views import passes as frame_passes
 from stylit_ref.views.frames import Edges, Motion
@@ -15,7 +14,6 @@ from stylit_ref.views.interpolation.axis import Between
 from stylit_ref.views.interpolation.grid import Grid
 from stylit_ref.views.interpolation.surface import Surface
 from stylit_ref.views.motion.composition import composed
-from stylit_ref.views.motion.places import places_in_other
 
 
 class _Seen(NamedTuple):
@@ -61,33 +59,36 @@ class FieldsGeometry:
         self, place: tuple[float, float], views: Sequence[int]
     ) -> tuple[Surface, NDArray[np.float32]]:
         """As :class:`~stylit_ref.views.interpolation.surface.Geometry`."""
-        motion = np.empty((len(views), *self.size, 2), np.float32)
+        # Where no view tells anything, all are masked.
+        motion = np.full((len(views), *self.size, 2), np.inf, np.float32)
         landed = np.zeros(self.size, np.bool_)
+        moved = np.empty((*self.size, 2), np.float32)
+        places, winners = (np.empty((*self.size, 2), np.int32) for _ in range(2))
         for view in views:
-            moved, seen = self._moved(place, view)
-            winners = np.empty((*self.size, 2), np.int32)
+            seen, others, shares = self._around(place, view)
+            passes.move(seen.ways, others, shares, landed, moved, places)
             # Of two points on one pixel the one that some view does not show is the one behind.
-            frame_passes.splat(moved.field, places_in_other(moved), seen.hidden, winners)
+            frame_passes.splat(moved, places, seen.hidden, winners)
             order = np.array([seen.numbers[other] for other in views], np.int64)
-            passes.follow(winners, moved.field, seen.ways, seen.shown, order, landed, motion)
+            passes.follow(winners, moved, seen.ways, seen.shown, order, landed, motion)
         # What has come into view moves as what is closest to it.
-        closest = distance_transform_edt(~landed, return_distances=False, return_indices=True)
-        beside = np.ascontiguousarray(np.moveaxis(closest, 0, -1), np.int32)
+        beside = np.empty((*self.size, 2), np.int32)
+        passes.find_closest(landed, np.empty(self.size, np.int32), beside)
         return Surface(np.zeros(self.size, np.int32), beside), motion
 
-    def _moved(self, place: tuple[float, float], view: int) -> tuple[Motion, _Seen]:
-        """The motion of a view's pixels to a place, and what is known of them elsewhere."""
+    def _around(
+        self, place: tuple[float, float], view: int
+    ) -> tuple[_Seen, NDArray[np.int64], NDArray[np.float32]]:
+        """What is known of a view's points, and the shares of the ways that lead to a place."""
         across, upwards = self.grid.between(place)
         (row, far_row, up), (column, far_column, right) = _sides(self.grid, view, across, upwards)
         frames = self.grid.frames
         others = frames[row][far_column], frames[far_row][column], frames[far_row][far_column]
         seen = self._view(view, *others)
-        shares = right * (1 - up), up * (1 - right), right * up
-        total = np.zeros((*self.size, 2), np.float32)
-        for share, other in zip(shares, others, strict=True):
-            if share:
-                total += np.float32(share) * seen.ways[seen.numbers[other]]
-        return Motion(total, np.ones(self.size, np.bool_)), seen
+        shares = np.array([right * (1 - up), up * (1 - right), right * up], np.float32)
+        numbers = np.array([seen.numbers[other] for other in others], np.int64)
+        counts = shares != 0  # a way that counts nothing may be no number
+        return seen, numbers[counts], shares[counts]
 
     def _view(self, view: int, beside: int, above: int, corner: int) -> _Seen:
         key = view, beside, above, corner

@@ -10,6 +10,7 @@ from stylit_ref.notes import note
 from stylit_ref.realtime.formulae.packed_nnf import LARGEST_SIDE, entries_of
 from stylit_ref.views.frames import grid_pairs
 from stylit_ref.views.interpolation.camera import read_camera
+from stylit_ref.views.interpolation.centred import centred
 from stylit_ref.views.interpolation.fields_geometry import FieldsGeometry
 from stylit_ref.views.interpolation.formulae.mean import WIDEST
 from stylit_ref.views.interpolation.formulae.transfer import transfer_of
@@ -20,7 +21,8 @@ from stylit_ref.views.interpolation.positions_geometry import (
     positions_of_mesh,
     splatting_error,
 )
-from stylit_ref.views.interpolation.surface import motion_by_depth
+from stylit_ref.views.interpolation.projection import check_positions
+from stylit_ref.views.interpolation.surface import GeometryKind, motion_by_depth
 from stylit_ref.views.interpolation.view_interpolator import BAND, Stylized, ViewInterpolator
 from stylit_ref.views.mesh import Mesh
 from stylit_ref.views.run_folder import Run
@@ -56,18 +58,39 @@ def views_of_run(run: Run | str | Path, *, band: float = BAND) -> ViewInterpolat
     run = run if isinstance(run, Run) else Run(run)
     if not 0 <= band <= 1:
         raise InputError(f"is {band:g}; it must be between 0 and 1", parameter="band")
+    if run.has_masks:
+        raise InputError(
+            f"{run.folder}: was drawn with --mask, and views between others need whole ones; do "
+            "the run again without it"
+        )
     rows, columns = run.grid or (1, len(run.names))
     if len(run.names) < 2 or rows * columns != len(run.names):
         raise InputError(
             f"{run.folder}: is a grid of {_counted(run.names)}, and nothing lies between views; "
             "do a run with more"
         )
-    knows_scene = "mesh" in run.facts or all("positions" in each for each in run.facts["frames"])
-    if not knows_scene:
+    if geometry_of(run) == "fields":
         geometry = _fields(run, rows, columns)
         return ViewInterpolator(geometry.grid, geometry, _stylized(run), band)
-    orbit = _orbit(run, rows, columns)
-    return ViewInterpolator(orbit.grid, _geometry(run, orbit), _stylized(run), band)
+    geometry = _geometry(run, _orbit(run, rows, columns))
+    return ViewInterpolator(geometry.orbit.grid, geometry, _stylized(run), band)
+
+
+def geometry_of(run: Run) -> GeometryKind:
+    """What tells the motion between the views of a RUN.
+
+    Parameters
+    ----------
+    run : Run
+
+    Returns
+    -------
+    {"mesh", "positions", "fields"}
+    """
+    if "mesh" in run.facts:
+        return "mesh"
+    has_positions = all("positions" in frame for frame in run.facts["frames"])
+    return "positions" if has_positions else "fields"
 
 
 def _fields(run: Run, rows: int, columns: int) -> FieldsGeometry:
@@ -106,18 +129,18 @@ def _orbit(run: Run, rows: int, columns: int) -> Orbit:
 def _geometry(run: Run, orbit: Orbit) -> MeshGeometry | PositionsGeometry:
     mesh = run.mesh()
     if mesh is not None:
+        mesh, orbit = centred(mesh, orbit)
         _check_mesh(run, orbit, mesh)
         if len(mesh.faces) <= MOST_TRIANGLES:
             return MeshGeometry(mesh, orbit, run.size)
         return _splatted(run, orbit, mesh)
     found = (run.positions(frame) for frame in range(len(run.names)))
     positions = [each for each in found if each is not None]
-    for each, name in zip(positions, run.names, strict=True):
-        if each.points.shape != (*run.size, 3) or each.labels.shape != run.size:
-            raise InputError(
-                f"{run.folder}: the positions of {name} are {_size(each.labels)}, and its views "
-                f"{run.size[1]}x{run.size[0]}; do the run again"
-            )
+    for each, camera, name in zip(positions, orbit.cameras, run.names, strict=True):
+        try:
+            check_positions(each, camera, run.size, name)
+        except InputError as error:
+            raise InputError(f"{run.folder}: {error}") from None
     return PositionsGeometry(
         np.stack([each.points for each in positions]),
         np.stack([each.labels for each in positions]),

@@ -15,6 +15,9 @@ from stylit_ref.views.interpolation.surface import Surface, motion_by_depth, sur
 from stylit_ref.views.mesh import Mesh
 from stylit_ref.views.positions import Positions
 
+SLACK = 0.1
+"""A point that lands on the corner of a pixel counts as 5 % farther away than one in its middle."""
+
 
 @dataclass(frozen=True)
 class PositionsGeometry:
@@ -64,7 +67,7 @@ class PositionsGeometry:
         size = self.labels.shape[1:]
         sparse, far = np.empty(size, np.int32), np.empty(size, np.float64)
         views = np.array(views, np.int64)
-        passes.splat_points(self.points, self.labels, views, matrix, sparse, far)
+        passes.splat_points(self.points, self.labels, views, matrix, SLACK, sparse, far)
         found, inverse = np.empty_like(sparse), np.empty_like(far)
         passes.fill_holes(sparse, far, found, inverse)
         return found, inverse

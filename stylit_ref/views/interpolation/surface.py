@@ -1,7 +1,7 @@
 """What a camera sees: a face and a depth at every pixel, and what strokes beside it belong to."""
 
 from collections.abc import Sequence
-from typing import NamedTuple, Protocol
+from typing import Literal, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,6 +33,11 @@ class Surface(NamedTuple):
     def spread_labels(self) -> NDArray[np.int32]:
         """The faces, those beside silhouettes taken from what they belong to."""
         return fetched(self.labels, self.beside)
+
+
+GeometryKind = Literal["mesh", "positions", "fields"]
+"""What the motion of views between others comes from: a mesh, the positions of the points that
+views show, or the motion between neighbours."""
 
 
 class Geometry(Protocol):

@@ -3,11 +3,13 @@
 import numpy as np
 
 from stylit_ref.machine.kernel import Specialization, rehearsal
+from stylit_ref.views.frames import Motion, grid_pairs
 from stylit_ref.views.interpolation.camera import Camera
+from stylit_ref.views.interpolation.fields_geometry import FieldsGeometry
 from stylit_ref.views.interpolation.mesh_geometry import MeshGeometry
 from stylit_ref.views.interpolation.orbit import Orbit, orbit_of
 from stylit_ref.views.interpolation.positions_geometry import PositionsGeometry
-from stylit_ref.views.interpolation.surface import Geometry
+from stylit_ref.views.interpolation.surface import Geometry, GeometryKind
 from stylit_ref.views.interpolation.view_interpolator import (
     MODES,
     Stylized,
@@ -19,7 +21,7 @@ _SIZE = 4, 4
 
 
 def kernels_of_views(
-    style_channels: int, patch_width: int, *, has_mesh: bool = True
+    style_channels: int, patch_width: int, geometry: GeometryKind = "mesh"
 ) -> list[Specialization]:
     """The kernels that pictures between views call, in any mode.
 
@@ -29,8 +31,8 @@ def kernels_of_views(
     Parameters
     ----------
     style_channels, patch_width : int
-    has_mesh : bool, optional
-        Whether the motion comes from a mesh, or from positions.
+    geometry : {"mesh", "positions", "fields"}, optional
+        What the motion comes from.
 
     Returns
     -------
@@ -47,14 +49,17 @@ def kernels_of_views(
         np.zeros((count, *_SIZE, style_channels), np.uint8),
     )
     with rehearsal() as rehearsed:
-        views = ViewInterpolator(orbit.grid, _geometry(orbit, has_mesh), stylized)
+        views = ViewInterpolator(orbit.grid, _geometry(orbit, geometry), stylized)
         for mode in MODES:
             views.picture((0.0, 0.0), mode)
     return list(rehearsed)
 
 
-def _geometry(orbit: Orbit, has_mesh: bool) -> Geometry:
-    if has_mesh:
+def _geometry(orbit: Orbit, kind: GeometryKind) -> Geometry:
+    if kind == "fields":
+        still = Motion(np.zeros((*_SIZE, 2), np.float32), np.ones(_SIZE, np.bool_))
+        return FieldsGeometry(dict.fromkeys(grid_pairs(2, 2), still), orbit.grid, _SIZE)
+    if kind == "mesh":
         return MeshGeometry(make_mesh(np.eye(3), np.array([[0, 1, 2]])), orbit, _SIZE)
     count = len(orbit.cameras)
     points = np.zeros((count, *_SIZE, 3), np.float32)

@@ -21,7 +21,7 @@ def places_in_other(motion: Motion) -> NDArray[np.int32]:
     (H, W, 2) int32
         (y, x), rounded half up, or -1 where the other frame does not show the point.
     """
-    places = np.empty(motion.field.shape, np.int32)
+    places = np.zeros(motion.field.shape, np.int32)  # since a rehearsal looks up what is there
     passes.shift_map(motion.field, motion.visible, 0, places)
     return places
 

@@ -241,6 +241,7 @@ def test_steps_restart_when_the_scene_changes(begun, ears):
     begun.step("pyramid")
     assert "upsample" in ears.next(Stepped).possible
     begun.turn(1, warm=True)
+    assert ears.next(Stepped).possible == ("restart", "pyramid")
     begun.step("upsample")
     assert ears.next(Problem).text.startswith("upsample is not what comes next; possible are")
 

@@ -260,6 +260,7 @@ async def test_scenes_of_several_sizes_have_a_painting_each(tmp_path):
         page.say(do="scene", name="three")
         welcome = await page.said("welcome")
         assert (welcome["painting"]["width"], welcome["painting"]["height"]) == (40, 30)
+        assert welcome["painting"]["name"] == str(tmp_path / "painting")
         assert found.engine.calls[-1][1].size == (30, 40)
         page.bytes(stroke(8, 30, 20))
         page.say(do="scene", name="two")

@@ -9,9 +9,10 @@ from PIL import Image
 from studio.server.opened import in_loop, opened
 from studio.small_studio import HEIGHT, SIZE, WIDTH, small_shelf
 
-from stylit_ref import InputError
+from stylit_ref import InputError, write_image
+from stylit_ref.studio.server.dropped_texture import DroppedTexture
 from stylit_ref.studio.server.scan_panel import scan_panel
-from stylit_ref.studio.server.texture_panel import DroppedTexture, texture_panel
+from stylit_ref.studio.server.texture_panel import read_texture, texture_panel
 from stylit_ref.studio.server.views_panel import views_panel
 from stylit_ref.studio.sheet.layout import layout_of
 from stylit_ref.studio.sheet.print_sheet import draw_sheet
@@ -19,53 +20,39 @@ from stylit_ref.studio.sheet.print_sheet import draw_sheet
 
 @in_loop
 async def test_views_are_shut_in_a_frame(tmp_path):
-    made = []
-
-    def page():
-        made.append(1)
-        return "<p>caf\xe9".encode("latin-1")
-
-    async with opened(tmp_path, [views_panel(page)]) as found:
+    async with opened(tmp_path, [views_panel(b"<p>caf\xe9")]) as found:
         assert (await found.socket().hello())["panels"] == ["views"]
-        for _ in range(2):
-            answer = await found.get("/views/")
-            assert answer.body == b"<p>caf\xe9"
+        answer = await found.get("/views/")
+        assert answer.body == b"<p>caf\xe9"
         assert answer.headers["content-type"] == "text/html; charset=windows-1252"
         policy = answer.headers["content-security-policy"]
         assert policy.startswith("sandbox allow-scripts allow-downloads; default-src 'none'; ")
         assert "allow-same-origin" not in policy
-        assert made == [1]
 
 
-@in_loop
-async def test_views_that_cannot_be_shown_are_a_sentence(tmp_path):
-    def page():
-        raise InputError("run: has no views")
-
-    async with opened(tmp_path, [views_panel(page)]) as found:
-        answer = await found.get("/views/")
-        assert (answer.status, answer.body) == (404, b"run: has no views.\n")
-
-
-class Texture(DroppedTexture):
+class NotedTexture:
     """Takes down what is dropped."""
 
     def __init__(self):
         self.exemplar = np.zeros((9, 9, 3), np.uint8)
         self.calls = []
 
-    picture = np.ones((8, 8, 3), np.uint8)
+    def picture(self):
+        return np.ones((8, 8, 3), np.uint8)
 
     def dropped(self, source, place, *, keep):
         if source == (0, 0):
             raise InputError("source is too close to its border")
         self.calls.append((source, place, keep))
-        return self.picture
+        return self.picture()
+
+    def close(self):
+        """End nothing."""
 
 
 @in_loop
 async def test_patches_are_dropped(tmp_path):
-    texture = Texture()
+    texture = NotedTexture()
     async with opened(tmp_path, [texture_panel(texture)]) as found:
         assert (await found.get("/texture/exemplar")).body.startswith(b"\x89PNG")
         assert (await found.get("/texture/picture")).body.startswith(b"\x89PNG")
@@ -88,7 +75,7 @@ async def test_patches_are_dropped(tmp_path):
 def test_bodies_that_no_page_sends_are_a_sentence(tmp_path, body):
     @in_loop
     async def refused():
-        texture = Texture()
+        texture = NotedTexture()
         async with opened(tmp_path, [texture_panel(texture)]) as found:
             answer = await found.post("/texture/drop", body)
             assert answer.status == 400
@@ -101,15 +88,31 @@ def test_bodies_that_no_page_sends_are_a_sentence(tmp_path, body):
 def test_a_dropped_patch_is_shown_and_stays_if_it_is_kept():
     exemplar = np.random.default_rng(0).integers(0, 256, (48, 48, 3), np.uint8)
     texture = DroppedTexture(exemplar, side=64, iterations=0)
-    before = texture.picture.copy()
+    before = texture.picture()
     held = texture.dropped((24, 24), (10, 20), keep=False)
-    assert np.array_equal(texture.picture, before)
+    assert np.array_equal(texture.picture(), before)
     assert np.array_equal(held[20, 10], exemplar[24, 24])
     dropped = texture.dropped((24, 24), (10, 20), keep=True)
     assert np.array_equal(dropped, held)
-    assert np.array_equal(texture.picture, held)
+    assert np.array_equal(texture.picture(), held)
     with pytest.raises(InputError):
         texture.dropped((0, 0), (10, 20), keep=True)
+
+
+@pytest.mark.slow
+def test_a_texture_is_made_in_a_process_of_its_own(tmp_path):
+    exemplar = np.random.default_rng(0).integers(0, 256, (48, 48, 3), np.uint8)
+    write_image(tmp_path / "exemplar.png", exemplar)
+    texture = read_texture(tmp_path / "exemplar.png")
+    assert np.array_equal(texture.exemplar, exemplar)
+    with pytest.raises(InputError, match="too close to its border"):
+        texture.dropped((0, 0), (10, 20), keep=True)
+    picture = texture.dropped((24, 24), (10, 20), keep=True)
+    assert np.array_equal(picture[20, 10], exemplar[24, 24])
+    assert np.array_equal(texture.picture(), picture)
+    texture.close()
+    with pytest.raises(InputError, match="begin another one"):
+        texture.picture()
 
 
 def png(image):

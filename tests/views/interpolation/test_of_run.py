@@ -7,8 +7,10 @@ import pytest
 from small_run import AZIMUTHS, SIZE, cameras_of_grid, facts_of, write_run
 
 from stylit_ref import InputError, Run, views_of_run, write_image, write_nnf
+from stylit_ref.files.npy_file import write_arrays
 from stylit_ref.views.interpolation import of_run
 from stylit_ref.views.interpolation.positions_geometry import PositionsGeometry
+from stylit_ref.views.mesh import make_mesh
 from stylit_ref.views.run_folder import digest_of
 
 FACTS = [facts_of(camera) for camera in cameras_of_grid()]
@@ -57,6 +59,35 @@ def test_patches_that_reach_beyond_the_style_are_moved_inside(tmp_path, caplog):
 def test_a_mesh_of_another_scene_is_refused(tmp_path):
     run = write_run(tmp_path, motion_scale=-1.0)
     with pytest.raises(InputError, match="its mesh and cameras do not match its motion, which dif"):
+        views_of_run(run)
+
+
+def test_a_scene_5000_km_away_looks_the_same(tmp_path):
+    far = np.array([5e6, -2e6, 3e3])
+    facts = [
+        camera | {key: (far + camera[key]).tolist() for key in ("origin", "target")}
+        for camera in FACTS
+    ]
+    near, run = write_run(tmp_path / "near"), write_run(tmp_path / "far", facts=facts)
+    mesh = near.mesh()
+    mesh = make_mesh(mesh.vertices.astype(np.float64) + far, mesh.faces)
+    run = changed(run, "mesh.npy", lambda file: write_arrays(file, list(mesh)))
+    pictures = [views_of_run(each).picture((2.0, 1.0)) for each in (near, run)]
+    np.testing.assert_array_equal(*pictures)
+
+
+def test_positions_that_a_camera_sees_elsewhere_are_refused(tmp_path):
+    feet = FACTS[4] | {key: [3.28 * each for each in FACTS[4][key]] for key in ("origin", "target")}
+    run = write_run(tmp_path, facts=[*FACTS[:4], feet, FACTS[5]], holds="positions")
+    with pytest.raises(InputError, match=r"0: the camera of 4 sees the points .* [1-9]\d*\.\d pi"):
+        views_of_run(run)
+
+
+def test_positions_behind_their_camera_are_refused(tmp_path):
+    eye, target = (np.array(FACTS[0][key]) for key in ("origin", "target"))
+    away = FACTS[0] | {"target": (2 * eye - target).tolist()}
+    run = write_run(tmp_path, facts=[away, *FACTS[1:]], holds="positions")
+    with pytest.raises(InputError, match="camera of 0 sees the points of its positions nowhere"):
         views_of_run(run)
 
 

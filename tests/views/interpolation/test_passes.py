@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scipy.ndimage import distance_transform_edt
 
 from stylit_ref.realtime.formulae.packed_nnf import entries_of, places_of
 from stylit_ref.views.interpolation import passes
@@ -254,14 +255,15 @@ def test_of_equal_patches_the_chosen_one_stays():
     np.testing.assert_array_equal(search_among(made, nnf, candidates, vote(made, nnf)), nnf)
 
 
-def test_points_land_where_they_are_seen_and_the_nearest_wins():
+@pytest.mark.parametrize("slack", [0.0, 0.7])
+def test_points_land_where_they_are_seen_and_the_nearest_wins(slack):
     rng, matrix = np.random.default_rng(13), CAMERA.matrix(SIZE)
     points = rng.uniform(-1.2, 1.2, (2, *SIZE, 3)).astype(np.float32)
     points[0, 0, 0], points[1, 0, 1] = np.nan, (0.3, 1.2, 9.0)  # no number, and behind the camera
     labels = rng.integers(-1, 5, (2, *SIZE), dtype=np.int32)
     found, inverse = np.empty(SIZE, np.int32), np.empty(SIZE)
-    passes.splat_points(points, labels, np.array([1, 0]), matrix, found, inverse)
-    expected, nearest = np.full(SIZE, -1), np.zeros(SIZE)
+    passes.splat_points(points, labels, np.array([1, 0]), matrix, slack, found, inverse)
+    expected, nearest, best = np.full(SIZE, -1), np.zeros(SIZE), np.zeros(SIZE)
     for view in (1, 0):
         for y, x in np.ndindex(SIZE):
             across, down, depth = matrix @ (*points[view, y, x].astype(np.float64), 1)
@@ -270,7 +272,9 @@ def test_points_land_where_they_are_seen_and_the_nearest_wins():
             row, column = np.floor(down / depth + 0.5), np.floor(across / depth + 0.5)
             if 0 <= row < SIZE[0] and 0 <= column < SIZE[1]:
                 pixel = int(row), int(column)
-                if 1 / depth > nearest[pixel]:
+                away = (across / depth - column) ** 2 + (down / depth - row) ** 2
+                if (1 - slack * away) / depth > best[pixel]:
+                    best[pixel] = (1 - slack * away) / depth
                     expected[pixel], nearest[pixel] = labels[view, y, x], 1 / depth
     assert (expected >= 0).sum() > 50
     np.testing.assert_array_equal(found, expected)
@@ -314,3 +318,51 @@ def test_follow_tells_what_no_view_before_has_told():
             way = ways[other, row, column] - moved[row, column]
             expected = way if shown[other, row, column] else np.inf
             np.testing.assert_array_equal(motion[k, y, x], expected)
+
+
+@pytest.mark.parametrize("share", [0.004, 0.03, 0.6])
+@pytest.mark.parametrize("size", [SIZE, (1, 9), (40, 70)])
+def test_the_closest_is_found_and_of_several_the_first_by_column_and_row(share, size):
+    rng = np.random.default_rng(15)
+    known = rng.random(size) < share
+    known[-3:] &= known[:1]  # columns in which nothing is known below
+    known.flat[rng.integers(known.size)] = True
+    rows, places = np.empty(size, np.int32), np.empty((*size, 2), np.int32)
+    passes.find_closest(known, rows, places)
+    row, column = np.nonzero(known)
+    for y, x in np.ndindex(size):
+        away = (row - y) ** 2 + (column - x) ** 2
+        first = np.lexsort((row, column, away))[0]
+        assert tuple(places[y, x]) == (row[first], column[first])
+
+
+def test_the_closest_is_that_of_scipy():
+    known = np.random.default_rng(16).random((60, 90)) < 0.05
+    rows, places = np.empty(known.shape, np.int32), np.empty((*known.shape, 2), np.int32)
+    passes.find_closest(known, rows, places)
+    found = distance_transform_edt(~known, return_distances=False, return_indices=True)
+    np.testing.assert_array_equal(places, np.moveaxis(found, 0, -1))
+
+
+def test_where_nothing_is_known_a_pixel_is_its_own_closest():
+    rows, places = np.empty(SIZE, np.int32), np.empty((*SIZE, 2), np.int32)
+    passes.find_closest(np.zeros(SIZE, np.bool_), rows, places)
+    np.testing.assert_array_equal(places, np.moveaxis(np.mgrid[: SIZE[0], : SIZE[1]], 0, -1))
+
+
+def test_ways_are_summed_up_by_their_shares_and_followed():
+    rng = np.random.default_rng(17)
+    ways = rng.normal(0, 9, (3, *SIZE, 2)).astype(np.float32)
+    ways[0, 2, 3] = np.inf
+    views, shares, landed = np.array([2, 0]), np.float32([0.3, 0.55]), rng.random(SIZE) < 0.4
+    moved, places = np.empty((*SIZE, 2), np.float32), np.empty((*SIZE, 2), np.int32)
+    passes.move(ways, views, shares, landed, moved, places)
+    np.testing.assert_array_equal(moved, shares[0] * ways[2] + shares[1] * ways[0])
+    outcomes = set()
+    for y, x in np.ndindex(SIZE):
+        column, row = np.floor((x, y) + moved[y, x].astype(np.float64) + 0.5)
+        is_inside = 0 <= row < SIZE[0] and 0 <= column < SIZE[1]
+        is_free = is_inside and not landed[int(row), int(column)]
+        assert tuple(places[y, x]) == ((row, column) if is_free else (-1, -1))
+        outcomes.add((is_inside, is_free))
+    assert len(outcomes) == 3

@@ -6,6 +6,7 @@ from small_run import SIZE, box_on_ground, camera_at, true_motion, write_run
 
 from stylit_ref import InputError, views_of_run
 from stylit_ref.views.frames import grid_pairs
+from stylit_ref.views.interpolation import positions_geometry
 from stylit_ref.views.interpolation.fields_geometry import FieldsGeometry
 from stylit_ref.views.interpolation.mesh_geometry import MeshGeometry
 from stylit_ref.views.interpolation.orbit import orbit_of
@@ -124,13 +125,31 @@ def test_on_a_view_fields_leave_everything_where_it_is(run):
     assert not surface.labels.any()
 
 
-def test_positions_tell_nearly_the_motion_of_the_mesh():
-    size, mesh = (60, 80), box_on_ground()
+def splatted_box(size):
+    """The mesh, and the points that four views of it show."""
+    mesh = box_on_ground()
     orbit = orbit_of([camera_at(a, e) for e in (10, 20) for a in (0, 10)], 2, 2)
     seen = [positions_of_mesh(mesh, camera, size) for camera in orbit.cameras]
-    splatted = PositionsGeometry(
-        np.stack([each.points for each in seen]), np.stack([each.labels for each in seen]), orbit
-    )
+    points, labels = (np.stack(each) for each in zip(*seen, strict=True))
+    return mesh, PositionsGeometry(points, labels, orbit)
+
+
+def test_fewer_faces_are_wrong_where_points_beside_the_middle_count_less(monkeypatch):
+    mesh, splatted = splatted_box((120, 160))
+
+    def wrong():
+        places = (1.0, 1.0), (0.0, 0.0), (2.0, -3.0)
+        return sum(splatting_error(splatted, mesh, place)[1] for place in places)
+
+    better = wrong()
+    monkeypatch.setattr(positions_geometry, "SLACK", 0.0)
+    assert better < 0.85 * wrong()
+
+
+def test_positions_tell_nearly_the_motion_of_the_mesh():
+    size = 60, 80
+    mesh, splatted = splatted_box(size)
+    orbit = splatted.orbit
     meshed = MeshGeometry(mesh, orbit, size)
     np.testing.assert_array_equal(splatted.view_labels(), meshed.view_labels())
     holes, wrong = splatting_error(splatted, mesh, (1.0, 1.0))

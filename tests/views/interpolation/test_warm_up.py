@@ -12,10 +12,10 @@ from stylit_ref.views.interpolation.view_interpolator import MODES
 from stylit_ref.views.interpolation.warm_up import kernels_of_views
 
 
-@pytest.mark.parametrize("holds", ["mesh", "positions"])
+@pytest.mark.parametrize("holds", ["mesh", "positions", "fields"])
 def test_pictures_compile_nothing_that_was_not_warmed_up(tmp_path, holds):
     run = write_run(tmp_path, holds=holds)
-    compile_missing(kernels_of_views(3, 5, has_mesh=holds == "mesh"))
+    compile_missing(kernels_of_views(3, 5, holds))
     with event.install_listener("numba:compile", Compiled()) as compiled:
         views = views_of_run(run)
         pictures = [views.picture((0.0, 0.0), mode) for mode in MODES]

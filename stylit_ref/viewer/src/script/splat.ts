@@ -2,7 +2,7 @@
 
 import { transferOf, type Lens } from "../camera.js";
 import { SKY } from "../engine.js";
-import type { Points } from "../points.js";
+import { SLACK, type Points } from "../points.js";
 import type { Surface } from "./raster.js";
 
 const { floor } = Math;
@@ -19,13 +19,14 @@ export function surfaceOf(points: Points, width: number, height: number): Surfac
   return { width, height, faces, inverse };
 }
 
-/** The nearest wins; of those that are as near the one of the first view, then the first. */
+/** The nearest wins, less near beside the middle of a pixel; of equals that of the first view, then the first. */
 export function splat(
   views: { points: Points; lens: Lens }[], lens: Lens, viewWidth: number, viewHeight: number, step: number,
 ): Surface {
   const [width, height] = [viewWidth, viewHeight].map((side) => Math.ceil(side / step));
   const faces = new Uint16Array(width * height).fill(SKY);
   const inverse = new Float32Array(width * height);
+  const merits = new Float32Array(width * height);
   for (const { points, lens: from } of views) {
     const [across, down, depth] = transferOf(from, lens);
     const bits = new Float32Array(points.buffer);
@@ -34,12 +35,17 @@ export function splat(
         const v = bits[2 * p + 1];
         const z = depth[0] * x + depth[1] * y + depth[2] + depth[3] * v;
         if (!(v > 0 && z > 0)) continue;
-        const column = floor((floor((across[0] * x + across[1] * y + across[2] + across[3] * v) / z + 0.5) + 0.5) / step);
-        const row = floor((floor((down[0] * x + down[1] * y + down[2] + down[3] * v) / z + 0.5) + 0.5) / step);
+        const right = (across[0] * x + across[1] * y + across[2] + across[3] * v) / z + 0.5;
+        const below = (down[0] * x + down[1] * y + down[2] + down[3] * v) / z + 0.5;
+        const column = floor((floor(right) + 0.5) / step);
+        const row = floor((floor(below) + 0.5) / step);
         if (column < 0 || column >= width || row < 0 || row >= height) continue;
         const to = row * width + column;
         const near = Math.fround(v / z);
-        if (near <= inverse[to]) continue;
+        const [awayX, awayY] = [right / step - column - 0.5, below / step - row - 0.5];
+        const merit = Math.fround(near * (1 - SLACK * (awayX * awayX + awayY * awayY)));
+        if (merit <= merits[to]) continue;
+        merits[to] = merit;
         inverse[to] = near;
         faces[to] = points[2 * p];
       }

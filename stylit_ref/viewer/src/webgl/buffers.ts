@@ -1,6 +1,6 @@
 // The textures that passes write to and read from.
 
-import { SLOTS, type Stage } from "../engine.js";
+import type { Stage } from "../engine.js";
 import type { Context, Texture } from "./context.js";
 
 /** Of the views that are kept: a layer for each. */
@@ -14,9 +14,9 @@ export type Work =
 export type Buffers = Record<Kept | Work | "style", Texture>;
 
 export function makeBuffers(context: Context, stage: Stage): Buffers {
-  const { width, height, style, mesh, hasPoints } = stage;
+  const { width, height, style, mesh, hasPoints, slots } = stage;
   const kept = (format: Texture["format"], isNeeded: boolean) =>
-    isNeeded ? context.texture(format, width, height, SLOTS) : context.texture(format, 1, 1, 1);
+    isNeeded ? context.texture(format, width, height, slots) : context.texture(format, 1, 1, 1);
   const work = (format: Texture["format"]) => context.texture(format, width, height);
   // Fields are arrays, so that a vote reads those of views and those of frames alike.
   const field = () => context.texture("RG16UI", width, height, 1);

@@ -1,7 +1,7 @@
 // All passes on the graphics processor, in textures of whole numbers.
 
 import { transferOf, type Lens } from "../camera.js";
-import { SLOTS, type Engine, type Moment, type Stage, type ViewPixels } from "../engine.js";
+import { type Engine, type Moment, type Stage, type ViewPixels } from "../engine.js";
 import { framesOf, shiftedWeights } from "../fading.js";
 import { Beside } from "./beside.js";
 import { makeBuffers, type Buffers, type Work } from "./buffers.js";
@@ -31,7 +31,7 @@ export class WebglEngine implements Engine {
   private readonly surface: Surface | null;
   private readonly beside: Beside;
   private readonly targets = new Map<string, Target>();
-  private readonly hasPicture: boolean[] = Array<boolean>(SLOTS).fill(false);
+  private readonly hasPicture: boolean[];
   private readonly labels = program(LABELS);
   private readonly motion = program(MOTION);
   private readonly shift = program(SHIFT);
@@ -45,6 +45,7 @@ export class WebglEngine implements Engine {
   constructor(gl: WebGL2RenderingContext, stage: Stage) {
     this.context = new Context(gl);
     this.stage = stage;
+    this.hasPicture = Array<boolean>(stage.slots).fill(false);
     this.buffers = makeBuffers(this.context, stage);
     if (stage.mesh) this.surface = new MeshSurface(this.context, this.buffers, stage, stage.mesh);
     else this.surface = stage.hasPoints ? new PointSurface(this.context, this.buffers, stage) : null;

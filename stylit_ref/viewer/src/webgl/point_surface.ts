@@ -2,6 +2,7 @@
 
 import { transferOf, type Lens } from "../camera.js";
 import { SKY, type Moment, type Stage } from "../engine.js";
+import { SLACK } from "../points.js";
 import type { Buffers } from "./buffers.js";
 import { program, type Context, type Target } from "./context.js";
 import type { Surface } from "./surface.js";
@@ -15,6 +16,7 @@ uniform ivec2 viewSize, size;
 uniform int step;
 flat out uint label;
 flat out float inverse;
+flat out float merit;
 void main() {
   int pixels = viewSize.x * viewSize.y, k = gl_VertexID / pixels, n = gl_VertexID % pixels;
   ivec2 from = ivec2(n % viewSize.x, n / viewSize.x);
@@ -27,17 +29,20 @@ void main() {
   inverse = v / depth;
   gl_PointSize = 1.;
   vec2 landed = floor((floor(at + .5) + .5) / float(step)) + .5;
+  vec2 away = (at + .5) / float(step) - landed;
+  merit = inverse * (1. - ${SLACK} * dot(away, away));
   gl_Position = v > 0. && depth > 0. ? vec4(2. * landed / vec2(size) - 1., 0., 1.) : vec4(2., 2., 0., 1.);
 }`;
 
 const SPLAT = `
 flat in uint label;
 flat in float inverse;
+flat in float merit;
 uniform float near;
 layout(location = 0) out uvec2 surface;
 void main() {
   surface = uvec2(label, floatBitsToUint(inverse));
-  gl_FragDepth = inverse * near;
+  gl_FragDepth = merit * near;
 }`;
 
 /** A surface that is seen from closer by leaves gaps; of the two sides the farther one counts, to the left and right first. */
