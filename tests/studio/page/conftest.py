@@ -14,16 +14,31 @@ def chromium():
 
 
 @pytest.fixture
-def studio():
-    """A server that speaks the studio's protocol."""
-    server = FakeStudio()
-    yield server
-    server.stop()
+def make_studio():
+    """Makes servers that speak the studio's protocol."""
+    made = []
+
+    def make(**settings):
+        made.append(FakeStudio(**settings))
+        return made[-1]
+
+    yield make
+    for server in made:
+        server.stop()
 
 
 @pytest.fixture
-def open_page(chromium):
-    """Opens pages; one that complains, or asks another server, fails the test."""
+def studio(make_studio):
+    """A server that speaks the studio's protocol."""
+    return make_studio()
+
+
+@pytest.fixture
+def open_page(chromium, make_studio):
+    """Opens pages; one that complains, or asks another server, fails the test.
+
+    Pages are closed before the servers, which they would miss.
+    """
     contexts, complaints, servers = [], [], []
 
     def tell_far(url):

@@ -4,7 +4,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from fake_studio import FakeStudio
 
 pytestmark = pytest.mark.slow  # a browser is a process of its own
 
@@ -72,28 +71,24 @@ def test_sheets_of_a_phone_open_and_close(open_page, studio):
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
-def test_axe_finds_nothing(open_page, scheme):
+def test_axe_finds_nothing(open_page, make_studio, scheme):
     if not AXE.exists():
         pytest.skip("axe-core is not installed; run make bundles")
-    studio = FakeStudio(panels=("texture", "views"))
-    try:
-        # What is tested is the page; its policy would not let the tester in.
-        page = open_page(
-            studio, size=(1400, 900), color_scheme=scheme, bypass_csp=True, reduced_motion="reduce"
-        ).started()
-        page.page.add_script_tag(path=AXE)
-        page.unfold()
-        page.page.locator("#colour").click()
-        studio.say({"say": "problem", "text": "The target cannot be read."})
-        studio.say({"say": "role", "role": "reader"})
-        page.until("document.getElementById('banner').hidden", False)
+    studio = make_studio(panels=("texture", "views"))
+    # What is tested is the page; its policy would not let the tester in.
+    settings = {"color_scheme": scheme, "bypass_csp": True, "reduced_motion": "reduce"}
+    page = open_page(studio, size=(1400, 900), **settings).started()
+    page.page.add_script_tag(path=AXE)
+    page.unfold()
+    page.page.locator("#colour").click()
+    studio.say({"say": "problem", "text": "The target cannot be read."})
+    studio.say({"say": "role", "role": "reader"})
+    page.until("document.getElementById('banner').hidden", False)
+    assert _violations(page) == []
+    for opener in ("help", "panels-open"):
+        page.page.locator(f"#{opener}").click()
         assert _violations(page) == []
-        for opener in ("help", "panels-open"):
-            page.page.locator(f"#{opener}").click()
-            assert _violations(page) == []
-            page.page.keyboard.press("Escape")
-    finally:
-        studio.stop()
+        page.page.keyboard.press("Escape")
 
 
 def test_rings_show_where_keys_go(open_page, studio):

@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from fake_studio import FakeStudio
 
 pytestmark = pytest.mark.slow  # a browser is a process of its own
 
@@ -143,24 +142,21 @@ def test_panels_of_rooms_that_are_missing_are_absent(page):
     assert page.page.locator("#views-panel").is_hidden()
 
 
-def test_a_patch_is_dragged_onto_a_texture_that_the_brush_paints_with(open_page):
-    studio = FakeStudio(panels=("texture", "views"))
-    try:
-        page = open_page(studio, size=(1300, 900)).started()
-        page.page.locator("#texture-panel summary").click()
-        page.until("document.getElementById('texture').width", 32)
-        assert page.page.locator("#views-panel").is_visible()
-        exemplar = page.page.locator("#exemplar").bounding_box()
-        texture = page.page.locator("#texture").bounding_box()
-        page.page.mouse.move(exemplar["x"] + exemplar["width"] / 4, exemplar["y"] + 4)
-        page.page.mouse.down()
-        page.page.mouse.move(texture["x"] + texture["width"] / 2, texture["y"] + 6, steps=3)
-        page.page.mouse.up()
-        page.until("window.stylitStudio.session.parts.texture.isAsking", False)
-        drop = studio.asks("drop")
-        assert (drop["from"][0], drop["to"][0], drop["keep"]) == (4, 16, True)
-        page.page.locator("#paints-texture").check()
-        page.stroke((40, 60), (100, 60))
-        assert page.pixels()[60, 66].tolist() == [30, 160, 90]
-    finally:
-        studio.stop()
+def test_a_patch_is_dragged_onto_a_texture_that_the_brush_paints_with(open_page, make_studio):
+    studio = make_studio(panels=("texture", "views"))
+    page = open_page(studio, size=(1300, 900)).started()
+    page.page.locator("#texture-panel summary").click()
+    page.until("document.getElementById('texture').width", 32)
+    assert page.page.locator("#views-panel").is_visible()
+    exemplar = page.page.locator("#exemplar").bounding_box()
+    texture = page.page.locator("#texture").bounding_box()
+    page.page.mouse.move(exemplar["x"] + exemplar["width"] / 4, exemplar["y"] + 4)
+    page.page.mouse.down()
+    page.page.mouse.move(texture["x"] + texture["width"] / 2, texture["y"] + 6, steps=3)
+    page.page.mouse.up()
+    page.until("window.stylitStudio.session.parts.texture.isAsking", False)
+    drop = studio.asks("drop")
+    assert (drop["from"][0], drop["to"][0], drop["keep"]) == (4, 16, True)
+    page.page.locator("#paints-texture").check()
+    page.stroke((40, 60), (100, 60))
+    assert page.pixels()[60, 66].tolist() == [30, 160, 90]

@@ -55,7 +55,7 @@ def begin(tmp_path):
         process.stdout.close()
 
 
-def test_the_target_follows_a_stroke_and_the_painting_is_saved(open_page, begin, tmp_path):
+def test_the_target_follows_a_stroke_and_the_painting_is_saved(begin, open_page, tmp_path):
     studio = begin()
     page = open_page(studio).started(COMPILED)
     page.until(NEWEST, "fast", COMPILED)
@@ -77,7 +77,7 @@ def test_the_target_follows_a_stroke_and_the_painting_is_saved(open_page, begin,
     assert np.array_equal(page.pixels(), before)
 
 
-def test_nothing_is_lost_when_the_program_is_killed_and_started_anew(open_page, begin, tmp_path):
+def test_nothing_is_lost_when_the_program_is_killed_and_started_anew(begin, open_page, tmp_path):
     studio = begin()
     old = open_page(studio).started(COMPILED)
     old.stroke((4, 6), (28, 6))
