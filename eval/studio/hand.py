@@ -54,7 +54,7 @@ class Hand:
         self.set("hue", rng.integers(0, 361))
         self.set("saturation", rng.integers(0, 101))
         self.set("value", rng.integers(0, 101))
-        self.set("size", rng.integers(40, 180))
+        self.set("size", rng.integers(70, 180))
         self.set("opacity", rng.integers(20, 101))
         self.set("hardness", rng.integers(0, 101))
         self.set("smoothing", rng.integers(0, 60))
