@@ -136,7 +136,7 @@ class Session:
             # There is none if an interruption comes before the last line: never half of one.
             exemplar, self._exemplar = self._exemplar, None
             if exemplar is None or (exemplar.size, exemplar.layout) != (size, layout):
-                exemplar, self._has_frame = Exemplar(*size, layout), False
+                exemplar, self._has_frame, self._nnf = Exemplar(*size, layout), False, []
             exemplar.set_guides(guides)
             exemplar.set_style(style)
             exemplar.join()
@@ -297,7 +297,8 @@ class Session:
                         refine(exemplar, target, refinement, nnf, level, seed, self._stop)
                     self._heed_cancel()
                 if warm:
-                    nnf[0] = self._nnf[0].copy()
+                    # Levels between are not searched: what an earlier frame found stays to be seen.
+                    nnf[: max(last, 1)] = [self._nnf[0].copy(), *self._nnf[1:last]]
                     with using_threads(threads_of_level(target, 0)):
                         if last:
                             renew(exemplar, target, refinement, nnf, last)

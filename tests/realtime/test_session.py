@@ -415,3 +415,22 @@ def test_labels_are_those_that_were_given():
     picture = session.frame()
     case.labels[:] = case.target_labels[:] = 0
     assert np.array_equal(session.frame(), picture)
+
+
+@pytest.mark.parametrize("preset", PRESETS)
+def test_levels_that_a_warm_frame_leaves_out_can_be_looked_at(preset):
+    session = make_session(make_case(), preset)
+    session.frame()
+    before = session.picture_at(1)
+    session.frame(warm=True)
+    assert np.array_equal(session.picture_at(1), before)
+
+
+def test_levels_of_a_larger_source_are_forgotten():
+    session = make_session(make_case((90, 90)))
+    session.frame()
+    case = make_case((20, 20))
+    case.style[:] = (10, 200, 77)
+    session.set_exemplar(case.guides, case.style, case.labels)
+    session.nnf = np.full((13, 14, 2), 9, np.int32)
+    assert (session.picture_at(1) == (10, 200, 77)).all()
