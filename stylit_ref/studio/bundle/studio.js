@@ -1728,6 +1728,7 @@
     lost() {
       const { notices, sender, progress } = this.parts;
       sender.allow(false);
+      this.letAsk(false);
       progress.forget();
       const isAgain = this.wasLost;
       this.wasLost = true;
@@ -1794,10 +1795,14 @@
       sender.allow(false);
       artist.tell();
       document.body.classList.toggle("reads", isReader);
-      for (const set of document.querySelectorAll("fieldset.painters")) set.disabled = isReader;
+      this.letAsk(!isReader);
       const text = sender.isBehind ? "Another page has the brush. This one holds strokes that the studio does not have: take over to keep them." : "Another page has the brush; this one looks on.";
       const button = { text: "Take over", press: () => void connection.ask({ do: "take_over" }) };
       notices.while("role", isReader ? { text, button } : null);
+    }
+    /** Whether what only a painter may ask can be asked: nothing while the studio does not answer. */
+    letAsk(may) {
+      for (const set of document.querySelectorAll("fieldset.painters")) set.disabled = !may;
     }
     repaint(frame) {
       const { artist, sender } = this.parts;

@@ -19,7 +19,6 @@ def command_lines(
     *,
     style: Path,
     nnf: Path,
-    again: Path,
 ) -> tuple[str, ...]:
     """Command lines, each of which gives the bytes of the picture.
 
@@ -29,9 +28,8 @@ def command_lines(
     guides : sequence of (str, str)
         Files of source and target.
     style, nnf : Path
-        Files that were written.
-    again : Path
-        The image that they write.
+        Files that were written. Beside them each command writes an image that bears its name,
+        to be compared with the picture.
 
     Returns
     -------
@@ -43,7 +41,10 @@ def command_lines(
     if shown.which not in ("replay", "warm"):
         lines.append(replay)
     return tuple(
-        shlex.join(["stylit-ref", *words, "--output", _file(again), "--quiet"]) for words in lines
+        shlex.join(
+            ["stylit-ref", *words, "--output", _file(nnf.with_name(f"{words[0]}.png")), "--quiet"]
+        )
+        for words in lines
     )
 
 

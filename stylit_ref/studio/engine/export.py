@@ -13,9 +13,6 @@ from stylit_ref.studio.engine.scene import Buffers
 from stylit_ref.studio.engine.shown import Shown
 
 PICTURE, STYLE, NNF, COMMANDS = "picture.png", "style.png", "nnf.npy", "commands.sh"
-AGAIN = "again.png"
-"""What the command lines write, to be compared with the picture."""
-
 
 def export(shown: Shown, folder: Path) -> Exported:
     """Write a picture, the style, the NNF and the command lines that give the same bytes.
@@ -53,9 +50,7 @@ def export(shown: Shown, folder: Path) -> Exported:
         files += [name for side in names for name in side]
         guides = [(str(folder / source), str(folder / target))
                   for source, target in zip(*names, strict=True)]  # fmt: skip
-    commands = command_lines(
-        shown, guides, style=folder / STYLE, nnf=folder / NNF, again=folder / AGAIN
-    )
+    commands = command_lines(shown, guides, style=folder / STYLE, nnf=folder / NNF)
     write_text(folder / COMMANDS, "".join(f"{line}\n" for line in commands))
     return Exported((*files, COMMANDS), commands)
 

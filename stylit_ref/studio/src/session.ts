@@ -98,6 +98,7 @@ export class Session implements Heard {
   lost(): void {
     const { notices, sender, progress } = this.parts;
     sender.allow(false);
+    this.letAsk(false);
     progress.forget();
     const isAgain = this.wasLost;
     this.wasLost = true;
@@ -171,12 +172,17 @@ export class Session implements Heard {
     sender.allow(false); // until the painting has come that a welcome tells of
     artist.tell();
     document.body.classList.toggle("reads", isReader);
-    for (const set of document.querySelectorAll<HTMLFieldSetElement>("fieldset.painters")) set.disabled = isReader;
+    this.letAsk(!isReader);
     const text = sender.isBehind
       ? "Another page has the brush. This one holds strokes that the studio does not have: take over to keep them."
       : "Another page has the brush; this one looks on.";
     const button = { text: "Take over", press: () => void connection.ask({ do: "take_over" }) };
     notices.while("role", isReader ? { text, button } : null);
+  }
+
+  /** Whether what only a painter may ask can be asked: nothing while the studio does not answer. */
+  private letAsk(may: boolean): void {
+    for (const set of document.querySelectorAll<HTMLFieldSetElement>("fieldset.painters")) set.disabled = !may;
   }
 
   private repaint(frame: Frame): void {

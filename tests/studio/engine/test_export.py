@@ -25,11 +25,10 @@ def check(shown, folder):
     assert all((folder / file).is_file() for file in exported.files)
     picture = (folder / "picture.png").read_bytes()
     for line in exported.commands:
-        (folder / "again.png").unlink(missing_ok=True)
         program, *words = shlex.split(line)
         assert program == "stylit-ref"
         assert main(words) == 0
-        assert (folder / "again.png").read_bytes() == picture, line
+        assert (folder / f"{words[0]}.png").read_bytes() == picture, line
     assert (folder / "commands.sh").read_text().splitlines() == list(exported.commands)
     return exported.commands
 

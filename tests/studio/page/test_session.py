@@ -52,6 +52,7 @@ def test_painting_goes_on_without_the_server_and_is_sent_when_it_is_back(open_pa
     studio.rests(page.sent())
     studio.stop()
     page.until(f"{LINE}.startsWith('The connection is lost. Go on painting')")
+    assert page.page.locator("#finish").is_disabled()
     page.stroke((40, 90), (100, 90))
     painted = page.pixels()
     assert not np.array_equal(painted, studio.painting)
