@@ -14,6 +14,7 @@ from stylit_ref.studio.engine.shown import Shown
 
 PICTURE, STYLE, NNF, COMMANDS = "picture.png", "style.png", "nnf.npy", "commands.sh"
 
+
 def export(shown: Shown, folder: Path) -> Exported:
     """Write a picture, the style, the NNF and the command lines that give the same bytes.
 
