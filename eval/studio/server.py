@@ -25,7 +25,16 @@ class Server:
         self._process, self.address = process, address
 
     def mebibytes(self):
-        """Resident memory of the server, and of its process in the background."""
+        """Resident memory of the server, and of its process in the background.
+
+        Raises
+        ------
+        InputError
+            If it has ended by itself, which would else look as if it held nothing.
+        """
+        code = self._process.poll()
+        if code is not None:
+            raise InputError(f"the studio has ended by itself, with the code {code}")
         own = self._process.pid
         return mebibytes(own), sum(map(mebibytes, children(own)))
 

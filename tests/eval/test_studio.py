@@ -15,7 +15,8 @@ from eval.studio.browser import Browser
 from eval.studio.hand import curve
 from eval.studio.memory import PARTS, growth, memory
 from eval.studio.resident import children, mebibytes
-from eval.studio.server import serve
+from eval.studio.server import Server, serve
+from stylit_ref import InputError
 
 MINUTES = float(os.environ.get("STYLIT_STUDIO_MINUTES", 1 / 3))
 
@@ -32,6 +33,13 @@ def test_memory_of_a_process_is_what_it_holds():
         process.communicate(b"\n")
     assert mebibytes(process.pid) == 0
     assert children(process.pid) == []
+
+
+def test_a_studio_that_has_ended_is_no_studio_without_memory():
+    with subprocess.Popen([sys.executable, "-c", "raise SystemExit(7)"]) as ended:
+        ended.wait()
+    with pytest.raises(InputError, match="has ended by itself, with the code 7"):
+        Server(ended, "http://127.0.0.1:1/").mebibytes()
 
 
 def test_strokes_stay_in_their_box_and_go_somewhere():
