@@ -51,7 +51,7 @@ def serve_studio(options: argparse.Namespace, shelf: Shelf) -> None:
         When interrupted; the painting is saved.
     """
     _check_port(options.port)
-    panels = _panels(options, shelf)
+    panels = _panels(options)
     folder = PaintingFolder(options.painting)
     try:
         with held(folder.folder), _failures_on_stderr():
@@ -121,13 +121,13 @@ def _check_port(port: int | None) -> None:
         raise InputError(f"is {port}; it must be 0, or from 1024 to 65535", parameter="port")
 
 
-def _panels(options: argparse.Namespace, shelf: Shelf) -> list[Panel]:
+def _panels(options: argparse.Namespace) -> list[Panel]:
     """Those whose rooms are installed, and whose options are given."""
     panels = []
     try:
         from stylit_ref.studio.server.scan_panel import scan_panel
 
-        panels.append(scan_panel(shelf.first))
+        panels.append(scan_panel())
     except ModuleNotFoundError as error:
         _tell_absent("scans", error)
     if options.texture:

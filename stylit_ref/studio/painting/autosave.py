@@ -32,6 +32,7 @@ class Autosave:
     ) -> None:
         self._folder, self._tell, self._pause = folder, tell, pause
         self._newest: Saved | None = None
+        self._failure: tuple[Saved, InputError] | None = None  # of the last saving
         self._ends, self._changed = False, Condition()
         self._thread = Thread(target=self._run, name="autosave", daemon=True)
         self._thread.start()
@@ -43,25 +44,37 @@ class Autosave:
             self._changed.notify()
 
     def close(self) -> None:
-        """Return when all is saved."""
+        """Return when all is saved; what could not be saved before is tried once more.
+
+        Raises
+        ------
+        InputError
+            If it cannot be saved.
+        """
         with self._changed:
             self._ends = True
             self._changed.notify()
         self._thread.join()
+        if self._failure:
+            raise self._failure[1]
 
     def _run(self):
-        next_time = 0.0
-        while True:
+        next_time, ends = 0.0, False
+        while not ends:
             with self._changed:
                 self._changed.wait_for(lambda: self._newest is not None or self._ends)
                 self._changed.wait_for(lambda: self._ends, next_time - time.monotonic())
-                saved, self._newest = self._newest, None
+                saved, self._newest, ends = self._newest, None, self._ends
+            if saved is None and self._failure:
+                saved = self._failure[0]
             if saved is None:
                 return
             next_time = time.monotonic() + self._pause
             try:
                 self._folder.save(saved)
             except InputError as error:
+                self._failure = saved, error
                 self._tell(error)
             else:
+                self._failure = None
                 self._tell(None)

@@ -11,6 +11,10 @@ from stylit_ref.errors import InputError
 from stylit_ref.studio.painting.autosave import Autosave
 from stylit_ref.studio.painting.folder import PaintingFolder, Saved, Setting
 
+LEAP = 4096
+"""From the serial of a painting to that of one which takes its place: more than a page can have
+sent before it hears of it."""
+
 
 class Easel:
     """A painting that grows. It belongs to one thread; saving is done by another.
@@ -38,8 +42,8 @@ class Easel:
         self.painting: NDArray[np.uint8] = saved.painting.copy()
         self.beginning: NDArray[np.uint8] = saved.beginning
         self.setting: Setting = saved.setting
-        self._autosave = Autosave(folder, tell)
-        self._has_strokes = self._is_unsaved = False
+        self._tell, self._autosave = tell, Autosave(folder, tell)
+        self._has_strokes, self._is_unsaved = saved.is_painted, False
 
     @property
     def size(self) -> tuple[int, int]:
@@ -72,7 +76,7 @@ class Easel:
         self.setting, self._is_unsaved = setting, True
 
     def replace(self, painting: NDArray[np.uint8]) -> Path | None:
-        """Take a painting that was made elsewhere; its serial is the next one.
+        """Take a painting that was made elsewhere; its serial is :data:`LEAP` further.
 
         Parameters
         ----------
@@ -90,7 +94,7 @@ class Easel:
         """
         kept = self.folder.keep(self.painting) if self._has_strokes else None
         self.painting, self._has_strokes = painting.copy(), False
-        self.set(replace(self.setting, serial=self.serial + 1))
+        self.set(replace(self.setting, serial=self.serial + LEAP))
         return kept
 
     def save(self) -> None:
@@ -100,6 +104,16 @@ class Easel:
             self._autosave.save(Saved(self.painting.copy(), self.beginning, self.setting))
 
     def close(self) -> None:
-        """Return when all is saved."""
+        """Return when all is saved.
+
+        Raises
+        ------
+        InputError
+            If it cannot be saved; the easel then goes on.
+        """
         self.save()
-        self._autosave.close()
+        try:
+            self._autosave.close()
+        except InputError:
+            self._autosave, self._is_unsaved = Autosave(self.folder, self._tell), True
+            raise

@@ -3,6 +3,7 @@
 import json
 import logging
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field
 from datetime import datetime
 from pathlib import Path
@@ -18,6 +19,8 @@ from stylit_ref.notes import note
 from stylit_ref.studio.painting.paint_file import read_paint, write_paint
 
 _VERSION = 1
+
+_LARGEST_SERIAL = 2**32 - 1
 
 
 @dataclass(frozen=True)
@@ -56,11 +59,14 @@ class Saved:
     beginning : (H, W, 3) uint8
         What it began with, which an eraser brings back.
     setting : Setting
+    is_painted : bool
+        Whether anybody has painted on it here: if another one takes its place, it is kept.
     """
 
     painting: NDArray[np.uint8]
     beginning: NDArray[np.uint8]
     setting: Setting
+    is_painted: bool = False
 
 
 class PaintingFolder:
@@ -157,11 +163,11 @@ class PaintingFolder:
             painting = read_paint(self.style, size)
         except InputError as error:
             raise InputError(f"{error}, or name another folder by --painting") from None
-        try:
+        beginning, is_painted = painting, True
+        with suppress(InputError):  # else the eraser brings back what is there now
             beginning = read_paint(self._beginning, size)
-        except InputError:  # the eraser then brings back what is there now
-            beginning = painting
-        return Saved(painting, beginning, self.setting())
+            is_painted = not np.array_equal(painting, beginning)
+        return Saved(painting, beginning, self.setting(), is_painted)
 
     def save(self, saved: Saved) -> None:
         """Write the painting, then its setting, whose serial is never ahead of the paint.
@@ -215,7 +221,8 @@ class PaintingFolder:
             if not (isinstance(facts, dict) and facts.pop("version", None) == _VERSION):
                 raise ValueError
             setting = Setting(**facts)
-            if not all(isinstance(vars(setting)[name], kind) for name, kind in _KINDS.items()):
+            is_known = all(isinstance(vars(setting)[name], kind) for name, kind in _KINDS.items())
+            if not (is_known and setting.step >= 0 and 0 <= setting.serial <= _LARGEST_SERIAL):
                 raise ValueError
         except (OSError, ValueError, TypeError, RecursionError):
             note(

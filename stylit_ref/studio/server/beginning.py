@@ -77,11 +77,14 @@ def begin(
         notes.append(f"The painting in {place.folder} is back; it was saved {place.saved_when}.")
     if watched is not None and Path(watched).exists():
         painting = read_paint(watched, offer.size)
-        if place.style.exists() and not np.array_equal(painting, saved.painting):
-            kept = place.keep(saved.painting)
-            notes = [f"The painting is that of {watched}; the one before it is kept as {kept}."]
+        before = saved.painting
         setting = replace(saved.setting, serial=saved.setting.serial + 1)
         saved = Saved(painting, saved.beginning, setting)
+        if place.style.exists() and not np.array_equal(painting, before):
+            kept = place.keep(before)
+            place.save(saved)
+            text = f"The painting is that of {watched}; the one before it is kept as {kept}."
+            notes[-1] = text
     scene = _opened(offer, saved.setting, notes)
     step = saved.setting.step if saved.setting.scene == offer.name else 0
     setting = replace(saved.setting, scene=offer.name, step=step if step < scene.steps else 0)

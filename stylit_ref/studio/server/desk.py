@@ -13,9 +13,10 @@ from numpy.typing import NDArray
 from stylit_ref.errors import InputError
 from stylit_ref.studio.engine.events import Event
 from stylit_ref.studio.engine.live import Live
+from stylit_ref.studio.engine.painting import check_painting
 from stylit_ref.studio.engine.scene import Scene
-from stylit_ref.studio.painting.easel import Easel
-from stylit_ref.studio.painting.folder import Saved
+from stylit_ref.studio.painting.easel import LEAP, Easel
+from stylit_ref.studio.painting.folder import Saved, Setting
 from stylit_ref.studio.scene_files.offer import Offer
 from stylit_ref.studio.server import protocol
 from stylit_ref.studio.server.beginning import Beginning, folder_of
@@ -40,6 +41,11 @@ class Desk:
     engine : callable
     panels : sequence of str
         Parts of the page that this studio has.
+
+    Attributes
+    ----------
+    left_behind : int
+        What has at most this serial was painted on a painting whose place another has taken.
     """
 
     def __init__(self, beginning: Beginning, engine: Engine, panels: Sequence[str]) -> None:
@@ -54,11 +60,17 @@ class Desk:
         self._live = engine(self._scene, saved.painting.copy(), tell, saved.setting.seed)
         self._restore()
         self._readers_are_due = False
+        self.left_behind: int = -1
 
     @property
     def size(self) -> tuple[int, int]:
         """Height and width of the painting."""
         return self._easel.size
+
+    @property
+    def offer(self) -> Offer:
+        """The scene that is open."""
+        return self._shelf.offer(self._scene.name)
 
     def from_thread(self, call: Callable[[Any], None]) -> Callable[[Any], None]:
         """What a thread may call, so that the event loop makes the call."""
@@ -70,9 +82,17 @@ class Desk:
         return hand_over
 
     def close(self) -> None:
-        """End the engine; return when all is saved."""
-        self._live.close()
-        self._easel.close()
+        """End the engine; return when all is saved.
+
+        Raises
+        ------
+        InputError
+            If the painting cannot be saved.
+        """
+        try:
+            self._easel.close()
+        finally:
+            self._live.close()
 
     def knows(self, visitor: Visitor) -> bool:
         """Whether a page has said hello."""
@@ -90,8 +110,8 @@ class Desk:
         self._easel.save()
 
     def paint(self, visitor: Visitor, paint: Paint) -> None:
-        """Take a stroke of the page that paints."""
-        if self._may_act(visitor):
+        """Take a stroke of the page that paints, unless it was made on another painting."""
+        if self._may_act(visitor) and paint.serial > self.left_behind:
             self._easel.paint(paint.x, paint.y, paint.pixels, paint.serial)
             self._live.paint(paint.x, paint.y, paint.pixels, paint.serial)
             self._show_readers_soon()
@@ -114,18 +134,22 @@ class Desk:
         Parameters
         ----------
         painting : (H, W, 3) uint8
-            Of another size if another scene has been chosen meanwhile.
         text : str
             Where it comes from, as a sentence.
+
+        Raises
+        ------
+        InputError
+            If it has another size, as when another scene has been chosen meanwhile, or if the
+            painting before it cannot be kept.
         """
         if painting.shape[:2] != self.size:
-            self._problem("The painting stays: it is of a scene of another size now.")
-            return
+            raise InputError("the painting stays: it is of a scene of another size now")
         try:
             kept = self._easel.replace(painting)
         except InputError as error:
-            self._problem(f"The painting stays, since it cannot be kept: {sentence(error)}")
-            return
+            raise InputError(f"the painting stays, since it cannot be kept: {error}") from None
+        self.left_behind = self._easel.serial
         self._live.replace_painting(self._easel.painting.copy(), self._easel.serial)
         for visitor in self._visitors:
             self._send_painting(visitor)
@@ -141,10 +165,12 @@ class Desk:
         found : (H, W, 3) uint8 or InputError
         file : str
         """
-        if isinstance(found, InputError):
-            self._problem(sentence(found))
-        else:
+        try:
+            if isinstance(found, InputError):
+                raise found
             self.replace_painting(found, f"The painting is that of {file}.")
+        except InputError as error:
+            self._problem(sentence(error))
 
     async def _do(self, wish: Wish) -> None:
         setting, live = self._easel.setting, self._live
@@ -190,23 +216,30 @@ class Desk:
             self._set(scene=name, step=0, layers=layers)
             self._visitors.say("scene", self._state)
             return
-        saved = await asyncio.to_thread(self._change_painting, offer)
+        saved = await asyncio.to_thread(self._change_painting, offer, scene)
         self._live.choose_scene(scene, saved.painting.copy(), saved.setting.serial)
         self._scene, self._easel = scene, self._new_easel(offer, saved)
+        self.left_behind = self._easel.serial
         self._set(scene=name, step=0, layers=layers)
         for visitor in self._visitors:
             self._welcome(visitor)
 
-    def _change_painting(self, offer: Offer) -> Saved:
-        """Save this painting, and load that of a source of another size."""
+    def _change_painting(self, offer: Offer, scene: Scene) -> Saved:
+        """Load the painting of a source of another size; if that can be had, save this one.
+
+        Raises
+        ------
+        InputError
+            If one of them cannot; this painting then stays.
+        """
+        saved = folder_of(offer, self._shelf, self._folder).load(offer.size)
+        if saved is None:
+            painting = offer.rendering()
+            saved = Saved(painting, painting, Setting())
+        check_painting(saved.painting, scene)
         self._easel.close()
         setting = self._easel.setting
-        saved = folder_of(offer, self._shelf, self._folder).load(offer.size)
-        setting = replace(setting, serial=setting.serial + 1)
-        if saved:
-            return replace(saved, setting=setting)
-        painting = offer.rendering()
-        return Saved(painting, painting, setting)
+        return replace(saved, setting=replace(setting, serial=setting.serial + LEAP))
 
     def _new_easel(self, offer: Offer, saved: Saved) -> Easel:
         folder = folder_of(offer, self._shelf, self._folder)
@@ -221,7 +254,7 @@ class Desk:
 
     @property
     def _state(self) -> dict[str, Any]:
-        return panels_of_scene(self._shelf.offer(self._scene.name), self._easel.setting)
+        return panels_of_scene(self.offer, self._easel.setting)
 
     def _restore(self) -> None:
         """Bring back what was set; what a later version does not know is left out and told."""

@@ -72,7 +72,7 @@ async def _listen(socket: WebSocket, desk: Desk, visitor: Visitor) -> None:
         elif wish is not None:
             await desk.grant(visitor, wish)
         else:
-            desk.paint(visitor, parse_paint(paint or b"", desk.size))
+            desk.paint(visitor, parse_paint(paint or b"", desk.size, desk.left_behind))
 
 
 async def _send(socket: WebSocket, visitor: Visitor) -> None:

@@ -166,7 +166,7 @@ WISHES: Mapping[str, type[Wish]] = {
 """What a page can ask for, by the word for it; fields are those of the message."""
 
 
-def parse_paint(message: bytes, size: tuple[int, int]) -> Paint:
+def parse_paint(message: bytes, size: tuple[int, int], left_behind: int = -1) -> Paint:
     """Read a binary message.
 
     Parameters
@@ -174,6 +174,8 @@ def parse_paint(message: bytes, size: tuple[int, int]) -> Paint:
     message : bytes
     size : tuple of int
         Height and width of the painting.
+    left_behind : int
+        Up to this serial it was painted on another painting, perhaps of another size.
 
     Raises
     ------
@@ -190,7 +192,8 @@ def parse_paint(message: bytes, size: tuple[int, int]) -> Paint:
     if len(message) != _PAINT.size + 3 * w * h:
         raise ProtocolError("A rectangle of paint has other than its number of pixels.")
     height, width = size
-    if not (0 < w <= width - x and 0 < h <= height - y):
+    is_inside = 0 < w <= width - x and 0 < h <= height - y
+    if not (is_inside or serial <= left_behind):
         raise ProtocolError("A rectangle of paint lies outside the painting.")
     pixels = np.frombuffer(message, np.uint8, offset=_PAINT.size).reshape(h, w, 3)
     return Paint(x, y, pixels, serial)

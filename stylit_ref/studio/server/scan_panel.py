@@ -2,13 +2,14 @@
 
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
 from starlette.exceptions import HTTPException
 from starlette.requests import Request
 from starlette.responses import JSONResponse, Response
 from starlette.routing import Route
 
 from stylit_ref.errors import InputError
-from stylit_ref.studio.scene_files.offer import Offer
 from stylit_ref.studio.server.body import json_body, points
 from stylit_ref.studio.server.in_thread import in_thread
 from stylit_ref.studio.server.panel import Panel
@@ -20,18 +21,12 @@ from stylit_ref.studio.sheet.register import Registered, register, register_corn
 _TAKEN = "The painting is that of the scan."
 
 
-def scan_panel(offer: Offer) -> Panel:
-    """``/sheet.pdf``, ``/scan`` and ``/scan/corners``.
-
-    Parameters
-    ----------
-    offer : Offer
-        Whose source is printed.
-    """
-    size = offer.size[::-1]
+def scan_panel() -> Panel:
+    """``/sheet.pdf``, ``/scan`` and ``/scan/corners``, of the scene that is open."""
     last: list[bytes] = []  # what was sent last
 
     async def sheet(request: Request) -> Response:
+        offer = request.app.state.desk.offer
         content = await in_thread(lambda: print_sheet(offer.rendering(), offer.things()))
         return Response(content, media_type="application/pdf")
 
@@ -40,6 +35,7 @@ def scan_panel(offer: Offer) -> Panel:
         photograph = await in_thread(lambda: read_photograph(last[0]))
         height, width = photograph.shape[:2]
         told: dict[str, Any] = {"width": width, "height": height, "corners": None}
+        size = request.app.state.desk.offer.size[::-1]
 
         def look() -> Registered | InputError:
             try:
@@ -50,7 +46,7 @@ def scan_panel(offer: Offer) -> Panel:
         found = await in_thread(look)
         if isinstance(found, InputError):
             return JSONResponse({**told, "text": sentence(found)})
-        request.app.state.desk.replace_painting(found.painting, _TAKEN)
+        _take(request, found.painting)
         return JSONResponse({**told, "text": _TAKEN, "corners": found.corners.tolist()})
 
     async def scan_corners(request: Request) -> Response:
@@ -58,10 +54,11 @@ def scan_panel(offer: Offer) -> Panel:
         if not last:
             raise HTTPException(404, "Send a photograph first.")
         content = last[0]
+        size = request.app.state.desk.offer.size[::-1]
         painting = await in_thread(
             lambda: register_corners(read_photograph(content), corners, size)
         )
-        request.app.state.desk.replace_painting(painting, _TAKEN)
+        _take(request, painting)
         return JSONResponse({"text": _TAKEN})
 
     return Panel(
@@ -72,3 +69,11 @@ def scan_panel(offer: Offer) -> Panel:
             Route("/scan/corners", scan_corners, methods=["POST"]),
         ],
     )
+
+
+def _take(request: Request, painting: NDArray[np.uint8]) -> None:
+    """Make it the painting, or say why not."""
+    try:
+        request.app.state.desk.replace_painting(painting, _TAKEN)
+    except InputError as error:
+        raise HTTPException(400, sentence(error)) from None

@@ -35,6 +35,7 @@ class Telling:
         self._visitors = visitors
         self._last: dict[str, bytes] = {}
         self._compiling: str | None = None
+        self._problem: str | None = None  # since the last picture
 
     def pass_on(self, event: Event) -> None:
         """Send an event to whom it may concern."""
@@ -45,6 +46,8 @@ class Telling:
         if isinstance(event, Problem):
             values["text"] = sentence(event.text)
         text = said(_WORDS[type(event)], values)
+        if isinstance(event, Problem):
+            self._problem = text
         if isinstance(event, Compiling):
             self._compiling = text if event.done < event.total else None
         for visitor in self._visitors:
@@ -54,6 +57,8 @@ class Telling:
         """Send a page what it has missed."""
         if self._compiling:
             visitor.outbox.say(self._compiling)
+        if self._problem:
+            visitor.outbox.say(self._problem)
         for kind, picture in self._last.items():
             visitor.outbox.show(kind, picture)
 
@@ -63,6 +68,6 @@ class Telling:
             if self._visitors.painter:
                 self._visitors.painter.outbox.show(event.which, picture)
             return
-        self._last = {"picture": picture}
+        self._last, self._problem = {"picture": picture}, None
         for visitor in self._visitors:
             visitor.outbox.show("picture", picture)

@@ -47,7 +47,8 @@ def test_a_painting_of_another_size_is_refused(tmp_path):
     "text",
     [
         "", "{", "[]", "{}", '{"version": 2}', '{"version": 1, "more": 1}',
-        '{"version": 1, "step": "a"}', "[" * 5000,
+        '{"version": 1, "step": "a"}', '{"version": 1, "step": -1}', '{"version": 1, "serial": -1}',
+        '{"version": 1, "serial": 4294967296}', "[" * 5000,
     ],
 )  # fmt: skip
 def test_a_damaged_setting_leaves_the_painting(tmp_path, text, caplog):
@@ -77,14 +78,39 @@ def test_the_newest_state_is_saved_in_few_steps(tmp_path):
     assert told == [None, None]
 
 
-def test_what_cannot_be_saved_is_told(tmp_path):
-    told = []
+def test_what_cannot_be_saved_is_told_and_tried_once_more_in_the_end(tmp_path):
+    told, first = [], Event()
+
+    def tell(error):
+        told.append(error)
+        first.set()
+
     folder = PaintingFolder(tmp_path / "painting")
     (tmp_path / "painting").write_text("a file")
-    autosave = Autosave(folder, told.append)
+    autosave = Autosave(folder, tell)
     autosave.save(saved(1))
+    assert first.wait(10)
+    with pytest.raises(InputError, match="painting"):
+        autosave.close()
+    assert len(told) == 2
+    first.clear()
+    autosave = Autosave(folder, tell)
+    autosave.save(saved(2))
+    assert first.wait(10)
+    (tmp_path / "painting").unlink()
     autosave.close()
-    assert isinstance(told[0], InputError)
+    assert (read_image(tmp_path / "painting" / "style.png") == 2).all()
+
+
+def test_an_easel_that_cannot_be_closed_goes_on(tmp_path):
+    easel = Easel(PaintingFolder(tmp_path / "painting"), saved(1), [].append)
+    (tmp_path / "painting").write_text("a file")
+    easel.paint(2, 3, np.full((4, 5, 3), 8, np.uint8), 6)
+    with pytest.raises(InputError, match="painting"):
+        easel.close()
+    (tmp_path / "painting").unlink()
+    easel.close()
+    assert (read_image(tmp_path / "painting" / "style.png")[3:7, 2:7] == 8).all()
 
 
 def test_an_easel_saves_what_has_changed(tmp_path):

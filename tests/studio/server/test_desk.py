@@ -1,5 +1,6 @@
 """Pages at one desk: who paints, what the others see, what comes back after a restart."""
 
+import asyncio
 import gc
 import struct
 import tracemalloc
@@ -21,6 +22,7 @@ from studio.small_studio import (
 
 from stylit_ref import InputError, read_image, write_image
 from stylit_ref.studio.engine.events import Compiling, Problem, Working
+from stylit_ref.studio.painting.easel import LEAP
 from stylit_ref.studio.painting.folder import PaintingFolder
 from stylit_ref.studio.scene_files.offer import offer_of_files
 from stylit_ref.studio.scene_files.shelf import Shelf
@@ -112,18 +114,20 @@ async def test_the_place_of_a_painter_who_left_is_free(tmp_path):
 
 
 @in_loop
-async def test_a_page_that_comes_later_sees_the_last_picture(tmp_path):
+async def test_a_page_that_comes_later_sees_the_last_picture_and_what_went_wrong(tmp_path):
     async with opened(tmp_path) as found:
+        found.engine.tell(Problem("before anybody came"))
         first = found.socket()
         await first.hello()
+        assert (await first.said("problem"))["text"] == "before anybody came."
         found.engine.tell(Compiling("compiles", 1, 3))
         first.bytes(stroke(1))
         await first.shown(1)
-        found.engine.tell(Problem("a sentence"))
-        await first.said("problem")
+        found.engine.tell(Problem("since the picture"))
         second = found.socket()
         await second.hello()
         assert (await second.said("compiling"))["total"] == 3
+        assert (await second.said("problem"))["text"] == "since the picture."
         assert image_of(await second.shown(1))[1] == 1
 
 
@@ -243,17 +247,18 @@ async def test_a_setting_of_another_version_is_left_out_and_told(tmp_path):
         assert found.engine.calls[0] == ("begin", "one", 0)
 
 
+def several_sizes(folder):
+    """The scenes ``one`` and ``two``, and ``three``, whose source is larger."""
+    write_passes(folder / "large", (30, 40))
+    write_passes(folder / "three", TARGET_SIZE, seed=3)
+    offers = list(small_shelf(folder))
+    offers.append(offer_of_files("three", folder / "large", folder / "three"))
+    return begin(Shelf(offers), PaintingFolder(folder / "painting"))
+
+
 @in_loop
 async def test_scenes_of_several_sizes_have_a_painting_each(tmp_path):
-    write_passes(tmp_path / "large", (30, 40))
-    write_passes(tmp_path / "three", TARGET_SIZE, seed=3)
-
-    def beginning():
-        offers = list(small_shelf(tmp_path))
-        offers.append(offer_of_files("three", tmp_path / "large", tmp_path / "three"))
-        return begin(Shelf(offers), PaintingFolder(tmp_path / "painting"))
-
-    async with opened(tmp_path, beginning=beginning()) as found:
+    async with opened(tmp_path, beginning=several_sizes(tmp_path)) as found:
         page = found.socket()
         await page.hello()
         page.bytes(stroke(1))
@@ -262,20 +267,72 @@ async def test_scenes_of_several_sizes_have_a_painting_each(tmp_path):
         assert (welcome["painting"]["width"], welcome["painting"]["height"]) == (40, 30)
         assert welcome["painting"]["name"] == str(tmp_path / "painting")
         assert found.engine.calls[-1][1].size == (30, 40)
-        page.bytes(stroke(8, 30, 20))
+        serial = welcome["painting"]["serial"] + 1
+        page.bytes(stroke(serial, 30, 20))
         page.say(do="scene", name="two")
-        assert (await page.said("welcome"))["painting"]["serial"] == 9
-        while (shown := image_of(await page.shown(2)))[1] != 9:
+        assert (await page.said("welcome"))["painting"]["serial"] == serial + LEAP
+        while (shown := image_of(await page.shown(2)))[1] != serial + LEAP:
             pass
         assert (shown[0][4:6, 3:8] == 200).all()
         page.say(do="scene", name="three")
         await page.said("welcome")
-    async with opened(tmp_path, beginning=beginning()) as found:
+    async with opened(tmp_path, beginning=several_sizes(tmp_path)) as found:
         welcome = await found.socket().hello()
         assert welcome["scene"] == "three"
         assert (found.engine.painting[20:22, 30:35] == 200).all()
     painting = read_image(tmp_path / "painting" / "style.png")
     assert (painting[4:6, 3:8] == 200).all()
+
+
+@in_loop
+async def test_a_painting_that_cannot_be_had_leaves_this_one_which_is_saved(tmp_path):
+    beginning = several_sizes(tmp_path)
+    write_image(tmp_path / "painting" / "40x30" / "style.png", np.zeros((9, 9, 3), np.uint8))
+    async with opened(tmp_path, beginning=beginning) as found:
+        page = found.socket()
+        await page.hello()
+        page.say(do="scene", name="three")
+        assert "is 9x9, but the painting is 40x30" in (await page.said("problem"))["text"]
+        assert (await page.said("scene"))["scene"] == "one"
+        page.bytes(stroke(1))
+        page.say(do="rest", serial=1)
+        await page.said("saved")
+        assert (read_image(tmp_path / "painting" / "style.png")[4:6, 3:8] == 200).all()
+
+
+@in_loop
+async def test_strokes_on_their_way_do_not_land_on_the_painting_of_another_scene(tmp_path):
+    async with opened(tmp_path, beginning=several_sizes(tmp_path)) as found:
+        page = found.socket()
+        await page.hello()
+        page.bytes(stroke(1))
+        page.say(do="scene", name="three")
+        page.bytes(stroke(2))
+        serial = (await page.said("welcome"))["painting"]["serial"]
+        page.bytes(stroke(serial + 1, 34, 10))
+        page.say(do="scene", name="two")
+        page.bytes(stroke(serial + 2, 34, 10))
+        last = (await page.said("welcome"))["painting"]["serial"] + 1
+        page.bytes(stroke(last, 20, 10))
+        while image_of(await page.shown(1))[1] != last:
+            pass
+        painted = [call[-1] for call in found.engine.calls if call[0] == "paint"]
+        assert painted == [1, serial + 1, last]
+
+
+@in_loop
+async def test_what_cannot_be_saved_in_the_end_is_an_error(tmp_path):
+    async with opened(tmp_path) as found:
+        page = found.socket()
+        await page.hello()
+        page.bytes(stroke(1))
+        await page.shown(1)
+        (tmp_path / "painting").write_text("a file")
+        with pytest.raises(InputError, match="painting"):
+            await asyncio.to_thread(found.desk.close)
+        assert found.engine.calls[-1] == ("close",)
+        (tmp_path / "painting").unlink()
+    assert (read_image(tmp_path / "painting" / "style.png")[4:6, 3:8] == 200).all()
 
 
 def test_a_style_does_not_replace_a_painting(tmp_path):
@@ -298,13 +355,41 @@ async def test_a_replaced_painting_is_kept(tmp_path):
         found.desk.replace_painting(np.full((*SIZE, 3), 9, np.uint8), "Watched.")
         kept = (await page.said("notes"))["texts"][0]
         image, serial = image_of(await page.shown(2))
-        while serial != 4:
+        while serial != 3 + LEAP:
             image, serial = image_of(await page.shown(2))
         assert (image == 9).all()
-        assert found.engine.calls[-1] == ("replace_painting", 4)
+        assert found.engine.calls[-1] == ("replace_painting", 3 + LEAP)
         file = tmp_path / "painting" / "replaced" / "style_001.png"
         assert str(file) in kept
         assert np.array_equal(read_image(file), painted)
+
+
+@in_loop
+async def test_a_painting_of_last_time_is_kept_too(tmp_path):
+    async with opened(tmp_path) as found:
+        page = found.socket()
+        await page.hello()
+        page.bytes(stroke(3))
+        await page.shown(1)
+    async with opened(tmp_path) as found:
+        found.desk.replace_painting(np.full((*SIZE, 3), 9, np.uint8), "Scanned.")
+        kept = read_image(tmp_path / "painting" / "replaced" / "style_001.png")
+        assert (kept[4:6, 3:8] == 200).all()
+        found.desk.replace_painting(np.full((*SIZE, 3), 8, np.uint8), "Scanned.")
+        assert len(list((tmp_path / "painting" / "replaced").iterdir())) == 1
+
+
+def test_a_watched_file_that_is_another_one_is_saved_at_once(tmp_path):
+    painting = np.full((*SIZE, 3), 5, np.uint8)
+    beginning = small_beginning(tmp_path)
+    beginning.folder.save(beginning.saved)
+    write_image(tmp_path / "krita.png", painting)
+    for _ in range(2):
+        notes = small_beginning(tmp_path, watched=tmp_path / "krita.png").notes
+    assert "is back" in notes[-1]
+    assert np.array_equal(read_image(tmp_path / "painting" / "style.png"), painting)
+    kept = tmp_path / "painting" / "replaced"
+    assert [file.name for file in kept.iterdir()] == ["style_001.png"]
 
 
 @in_loop

@@ -7,9 +7,11 @@ import numpy as np
 import pytest
 from PIL import Image
 from studio.server.opened import in_loop, opened
+from studio.server.test_desk import several_sizes, stroke
 from studio.small_studio import HEIGHT, SIZE, WIDTH, small_shelf
 
 from stylit_ref import InputError, write_image
+from stylit_ref.studio.painting.easel import LEAP
 from stylit_ref.studio.server.dropped_texture import DroppedTexture
 from stylit_ref.studio.server.scan_panel import scan_panel
 from stylit_ref.studio.server.texture_panel import read_texture, texture_panel
@@ -115,6 +117,10 @@ def test_a_texture_is_made_in_a_process_of_its_own(tmp_path):
         texture.picture()
 
 
+CORNERS = b'{"corners": [[20, 20], [270, 20], [270, 180], [20, 180]]}'
+"""Of a picture in a photograph, as a page sends them."""
+
+
 def png(image):
     """An image's file, as a page sends it."""
     content = io.BytesIO()
@@ -130,7 +136,7 @@ async def test_a_scan_becomes_the_painting(tmp_path):
     place = tuple((side - own) // 2 for side, own in zip((2480, 3508), layout, strict=True))
     painted = draw_sheet(offer.rendering(), offer.things()).convert("RGB")
     painted.paste(Image.fromarray(painting).resize(layout), place)
-    async with opened(tmp_path, [scan_panel(offer)]) as found:
+    async with opened(tmp_path, [scan_panel()]) as found:
         live = found.socket()
         await live.hello()
         pdf = await found.get("/sheet.pdf")
@@ -143,25 +149,52 @@ async def test_a_scan_becomes_the_painting(tmp_path):
         assert (told["width"], told["height"]) == (1240, 1754)
         assert np.allclose(told["corners"][0], np.array(place) / 2, atol=2)
         assert told["text"] in (await live.said("notes"))["texts"][0]
-        assert found.engine.calls[-1] == ("replace_painting", 1)
+        assert found.engine.calls[-1] == ("replace_painting", LEAP)
         assert np.abs(found.engine.painting[8:16, 8:24].astype(int) - painting[0, 0]).max() < 30
 
 
 @in_loop
 async def test_a_photograph_without_marks_waits_for_its_corners(tmp_path):
-    offer = small_shelf(tmp_path).first
     photograph = Image.new("RGB", (300, 200), (200, 100, 50))
-    async with opened(tmp_path, [scan_panel(offer)]) as found:
+    async with opened(tmp_path, [scan_panel()]) as found:
         answer = await found.post("/scan", png(photograph))
         told = json.loads(answer.body)
         assert (answer.status, told["corners"]) == (200, None)
         assert "marks" in told["text"]
         wrong = await found.post("/scan/corners", b'{"corners": [[0,0],[0,0],[0,0],[0,0]]}')
         assert wrong.status == 400
-        corners = [[20, 20], [270, 20], [270, 180], [20, 180]]
-        right = await found.post("/scan/corners", json.dumps({"corners": corners}).encode())
+        right = await found.post("/scan/corners", CORNERS)
         assert right.status == 200
-        assert found.engine.calls[-1] == ("replace_painting", 1)
+        assert found.engine.calls[-1] == ("replace_painting", LEAP)
+
+
+@in_loop
+async def test_a_scan_is_refused_if_what_it_replaces_cannot_be_kept(tmp_path):
+    async with opened(tmp_path, [scan_panel()]) as found:
+        page = found.socket()
+        await page.hello()
+        page.bytes(stroke(1))
+        await page.shown(1)
+        (tmp_path / "painting").mkdir()
+        (tmp_path / "painting" / "replaced").write_text("a file")
+        await found.post("/scan", png(Image.new("RGB", (300, 200), (200, 100, 50))))
+        answer = await found.post("/scan/corners", CORNERS)
+        assert answer.status == 400
+        assert answer.body.startswith(b"the painting stays, since it cannot be kept: ")
+        assert found.engine.calls[-1][0] == "paint"
+
+
+@in_loop
+async def test_sheet_and_scan_are_those_of_the_scene_that_is_open(tmp_path):
+    async with opened(tmp_path, [scan_panel()], several_sizes(tmp_path)) as found:
+        page = found.socket()
+        await page.hello()
+        page.say(do="scene", name="three")
+        await page.said("welcome")
+        await found.post("/scan", png(Image.new("RGB", (300, 200), (200, 100, 50))))
+        assert (await found.post("/scan/corners", CORNERS)).status == 200
+        assert found.engine.painting.shape == (30, 40, 3)
+        assert found.engine.calls[-1][0] == "replace_painting"
 
 
 @pytest.mark.parametrize(
@@ -172,7 +205,7 @@ async def test_a_photograph_without_marks_waits_for_its_corners(tmp_path):
 def test_what_is_no_photograph_is_a_sentence(tmp_path, body):
     @in_loop
     async def refused():
-        async with opened(tmp_path, [scan_panel(small_shelf(tmp_path).first)]) as found:
+        async with opened(tmp_path, [scan_panel()]) as found:
             answer = await found.post("/scan", body)
             assert answer.status == 400
             assert answer.body.startswith(b"the photograph: ")
