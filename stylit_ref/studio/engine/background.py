@@ -241,10 +241,11 @@ class Background:
 
     def _start(self):
         self._connection, other = self._context.Pipe()
-        self._process = self._context.Process(
+        process = self._context.Process(
             target=work, args=(other, self._wanted), name="studio background", daemon=True
         )
-        self._process.start()
+        process.start()
+        self._process = process  # one that is not started yet cannot be killed
         other.close()  # so that the end of the process is noticed
         self._sent = None
 

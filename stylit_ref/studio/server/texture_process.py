@@ -91,15 +91,16 @@ def _work(connection: Connection, exemplar: NDArray[np.uint8]) -> None:
     if hasattr(os, "nice"):
         os.nice(_NICENESS)
     texture = DroppedTexture(exemplar)
-    while True:
-        try:
+    try:
+        while True:
             drop: _Drop | None = connection.recv()
-        except EOFError:
-            return
-        try:
-            connection.send(_answer(texture, drop))
-        except InputError as error:
-            connection.send(str(error))
+            try:
+                answer = _answer(texture, drop)
+            except InputError as error:
+                answer = str(error)
+            connection.send(answer)
+    except (EOFError, OSError):
+        return
 
 
 def _answer(texture: DroppedTexture, drop: _Drop | None) -> NDArray[np.uint8]:
