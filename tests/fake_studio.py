@@ -53,12 +53,15 @@ class FakeStudio:
         What pages asked, but for ``hello``.
     rectangles : list of (x, y, width, height, serial)
         Those that pages sent.
+    name : str
+        Of the painting's folder.
     """
 
     def __init__(self, size=(120, 160), *, serial=0, panels=("scan",), port=0):
         rng = np.random.default_rng(7)
         self.beginning = rng.integers(90, 220, (*size, 3), dtype=np.uint8)
         self.painting = self.beginning.copy()
+        self.name = "oils"
         self.serial, self.panels = serial, list(panels)
         self.layers = ["FULL", "LDE", "NORMAL"]
         self.asked, self.rectangles, self.sockets = [], [], []
@@ -117,7 +120,7 @@ class FakeStudio:
         still = golem | {"name": "teapot", "title": "Teapot", "steps": 1, "layers": []}
         return {
             "say": "welcome", "version": 1, "role": role, "scenes": [golem, still],
-            "painting": {"width": width, "height": height, "name": "oils", "serial": self.serial},
+            "painting": {"width": width, "height": height, "name": self.name, "serial": self.serial},
             "parameters": {"values": VALUES, "fields": FIELDS}, "weights": {"FULL": 2}, "step": 0,
             "scene": "golem", "seed": 5, "layers": self.layers[:2], "panels": self.panels,
             "notes": [],

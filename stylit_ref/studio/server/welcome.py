@@ -40,7 +40,7 @@ def welcome(
         "painting": {
             "width": width,
             "height": height,
-            "name": str(easel.folder.root),
+            "name": str(easel.folder.root.resolve()),
             "serial": easel.serial,
         },
         "scenes": [_offered(offer, scene) for offer in shelf],

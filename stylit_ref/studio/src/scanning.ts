@@ -49,6 +49,7 @@ export class Scanning {
     this.size = [found.width, found.height];
     Object.assign(this.photo, { width: bitmap.width, height: bitmap.height });
     this.photo.getContext("2d")?.drawImage(bitmap, 0, 0);
+    bitmap.close();
     const [right, bottom] = [0.9 * found.width, 0.9 * found.height];
     const [left, top] = [0.1 * found.width, 0.1 * found.height];
     this.corners = found.corners ?? [[left, top], [right, top], [right, bottom], [left, bottom]];

@@ -48,6 +48,8 @@ export class Session implements Heard {
   private readonly parts: Parts;
   private scenes: SceneSaid[] = [];
   private scene = "";
+  /** The folder of the painting. */
+  private folder = "";
   /** Which painting comes next, after a welcome. */
   private awaited: { serial: number; keepsOwn: boolean } | null = null;
   private wasLost = false;
@@ -60,7 +62,8 @@ export class Session implements Heard {
     const seed = byId<HTMLInputElement>("seed");
     seed.onchange = () => (seed.checkValidity() ? connection.ask({ do: "seed", value: seed.valueAsNumber }) : seed.reportValidity());
     byId("seed-next").onclick = () => {
-      seed.value = String(seed.valueAsNumber + 1);
+      const before = seed.checkValidity() ? seed.valueAsNumber : -1;
+      seed.value = String((before + 1) % 2 ** 32);
       connection.ask({ do: "seed", value: seed.valueAsNumber });
     };
   }
@@ -124,6 +127,9 @@ export class Session implements Heard {
     const { notices, sender, result, texture } = this.parts;
     if (welcome.version !== VERSION) return notices.while("line", { text: "The studio is of another version than this page. Reload the page." });
     notices.while("line", null);
+    // The studio was started anew on another folder, whose painting this one must not replace.
+    if (this.folder !== welcome.painting.name) this.painting = null;
+    this.folder = welcome.painting.name;
     const own = this.painting;
     const isOther = !own || own.width !== welcome.painting.width || own.height !== welcome.painting.height;
     const isAhead = !isOther && (sender.isBehind || (this.role === "painter" && sender.serial > welcome.painting.serial));

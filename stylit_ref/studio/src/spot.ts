@@ -53,5 +53,6 @@ export class Spot {
     if (isNew) Object.assign(this.canvas, { width: bitmap.width, height: bitmap.height });
     this.canvas.getContext("2d", { alpha: false, willReadFrequently: true })?.drawImage(bitmap, 0, 0);
     if (isNew) this.put(Math.floor(bitmap.width / 2), Math.floor(bitmap.height / 2));
+    bitmap.close();
   }
 }

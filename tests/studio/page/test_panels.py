@@ -107,6 +107,10 @@ def test_weights_layers_and_seed(page, studio):
     assert studio.asks("layers") == {"do": "layers", "names": ["FULL", "LDE", "NORMAL"]}
     page.page.locator("#seed-next").click()
     assert studio.asks("seed") == {"do": "seed", "value": 6}
+    for text, value in (("", 0), ("4294967295", 0), ("1.5", 0)):
+        page.page.locator("#seed").evaluate("(it, text) => (it.value = text)", text)
+        page.page.locator("#seed-next").click()
+        page.until("document.getElementById('seed').value", str(value))
 
 
 def test_an_export_shows_its_commands(page, studio):

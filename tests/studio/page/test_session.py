@@ -84,6 +84,24 @@ def test_a_server_that_lost_strokes_gets_them_again(open_page, studio):
     open_page.complaints[:] = [said for said in open_page.complaints if "ERR_CONN" not in said]
 
 
+def test_a_painting_does_not_replace_that_of_another_folder(open_page, studio):
+    page = open_page(studio).started()
+    page.stroke((40, 30), (100, 30))
+    studio.rests(page.sent())
+    studio.stop()
+    other = 255 - studio.beginning
+    studio.name, studio.beginning, studio.painting, studio.serial = "crayons", other, other.copy(), 0
+    studio.rectangles.clear()
+    studio.start()
+    page.until("document.getElementById('name').textContent", "crayons")
+    page.until("window.stylitStudio.session.awaited", None)
+    page.sent()
+    assert np.array_equal(page.pixels(), other)
+    assert studio.rectangles == []
+    assert page.page.locator("#undo").is_disabled()
+    open_page.complaints[:] = [said for said in open_page.complaints if "ERR_CONN" not in said]
+
+
 def test_a_painting_from_elsewhere_is_taken_over_and_can_be_undone(open_page, studio):
     page = open_page(studio).started()
     other = 255 - studio.beginning
