@@ -1533,6 +1533,7 @@
       this.size = [found.width, found.height];
       Object.assign(this.photo, { width: bitmap.width, height: bitmap.height });
       this.photo.getContext("2d")?.drawImage(bitmap, 0, 0);
+      bitmap.close();
       const [right, bottom] = [0.9 * found.width, 0.9 * found.height];
       const [left, top] = [0.1 * found.width, 0.1 * found.height];
       this.corners = found.corners ?? [[left, top], [right, top], [right, bottom], [left, bottom]];
@@ -1674,6 +1675,8 @@
     parts;
     scenes = [];
     scene = "";
+    /** The folder of the painting. */
+    folder = "";
     /** Which painting comes next, after a welcome. */
     awaited = null;
     wasLost = false;
@@ -1685,7 +1688,8 @@
       const seed = byId("seed");
       seed.onchange = () => seed.checkValidity() ? connection.ask({ do: "seed", value: seed.valueAsNumber }) : seed.reportValidity();
       byId("seed-next").onclick = () => {
-        seed.value = String(seed.valueAsNumber + 1);
+        const before = seed.checkValidity() ? seed.valueAsNumber : -1;
+        seed.value = String((before + 1) % 2 ** 32);
         connection.ask({ do: "seed", value: seed.valueAsNumber });
       };
     }
@@ -1750,6 +1754,8 @@
       const { notices, sender, result, texture } = this.parts;
       if (welcome.version !== VERSION) return notices.while("line", { text: "The studio is of another version than this page. Reload the page." });
       notices.while("line", null);
+      if (this.folder !== welcome.painting.name) this.painting = null;
+      this.folder = welcome.painting.name;
       const own = this.painting;
       const isOther = !own || own.width !== welcome.painting.width || own.height !== welcome.painting.height;
       const isAhead = !isOther && (sender.isBehind || this.role === "painter" && sender.serial > welcome.painting.serial);
@@ -1997,6 +2003,7 @@
       if (isNew) Object.assign(this.canvas, { width: bitmap.width, height: bitmap.height });
       this.canvas.getContext("2d", { alpha: false, willReadFrequently: true })?.drawImage(bitmap, 0, 0);
       if (isNew) this.put(Math.floor(bitmap.width / 2), Math.floor(bitmap.height / 2));
+      bitmap.close();
     }
   };
 
