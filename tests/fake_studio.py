@@ -120,7 +120,9 @@ class FakeStudio:
         still = golem | {"name": "teapot", "title": "Teapot", "steps": 1, "layers": []}
         return {
             "say": "welcome", "version": 1, "role": role, "scenes": [golem, still],
-            "painting": {"width": width, "height": height, "name": self.name, "serial": self.serial},
+            "painting": {
+                "width": width, "height": height, "name": self.name, "serial": self.serial,
+            },
             "parameters": {"values": VALUES, "fields": FIELDS}, "weights": {"FULL": 2}, "step": 0,
             "scene": "golem", "seed": 5, "layers": self.layers[:2], "panels": self.panels,
             "notes": [],

@@ -90,7 +90,8 @@ def test_a_painting_does_not_replace_that_of_another_folder(open_page, studio):
     studio.rests(page.sent())
     studio.stop()
     other = 255 - studio.beginning
-    studio.name, studio.beginning, studio.painting, studio.serial = "crayons", other, other.copy(), 0
+    studio.name, studio.serial = "crayons", 0
+    studio.beginning, studio.painting = other, other.copy()
     studio.rectangles.clear()
     studio.start()
     page.until("document.getElementById('name').textContent", "crayons")
