@@ -24,27 +24,6 @@ def as_colours(image: NDArray[np.uint8]) -> NDArray[np.uint8]:
     return np.ascontiguousarray(np.broadcast_to(colours, (*image.shape[:2], 3)))
 
 
-def thumbnail(image: NDArray[np.uint8], most: int = 96) -> NDArray[np.uint8]:
-    """A buffer made small, each pixel the mean of a square.
-
-    Parameters
-    ----------
-    image : (H, W, n) uint8
-    most : int
-        About as many pixels as the longer side has.
-
-    Returns
-    -------
-    (h, w, 3) uint8
-    """
-    step = max(max(image.shape[:2]) // most, 1)
-    height, width = (max(side // step, 1) for side in image.shape[:2])
-    squares = as_colours(image)[: height * step, : width * step]
-    if min(image.shape[:2]) < step:
-        return squares[:most, :most]
-    return squares.reshape(height, step, width, step, 3).mean(axis=(1, 3)).round().astype(np.uint8)
-
-
 def places_of(field: Field | RealtimeField) -> NDArray[np.int64]:
     """Where each pixel of the target came from; between entries of a grid, by the nearest.
 

@@ -3,7 +3,6 @@
 from collections.abc import Iterator, Sequence
 
 from stylit_ref.errors import InputError
-from stylit_ref.studio.engine.scene import Scene
 from stylit_ref.studio.scene_files.offer import Offer
 
 
@@ -38,13 +37,3 @@ class Shelf:
         if name not in self._offers:
             raise InputError(f"there is no scene {name[:40]!r}")
         return self._offers[name]
-
-    def open(self, name: str, picked: Sequence[str] = ()) -> Scene:
-        """Read a scene, with those of its layers that are picked.
-
-        Raises
-        ------
-        InputError
-            If it cannot be read.
-        """
-        return self.offer(name).read(picked)

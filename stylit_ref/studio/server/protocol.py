@@ -14,9 +14,6 @@ from numpy.typing import NDArray
 
 VERSION = 1
 
-LARGEST_SIDE = 4096
-"""Pixels along a side of a painting."""
-
 LARGEST_MESSAGE = 64 * 2**20
 """Bytes: a whole painting of the largest size fits."""
 

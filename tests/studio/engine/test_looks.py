@@ -9,7 +9,6 @@ from stylit_ref.studio.engine.looks import (
     hue_circle,
     nnf_picture,
     places_of,
-    thumbnail,
     usage_counts,
     usage_picture,
 )
@@ -72,16 +71,3 @@ def test_buffers_are_shown_without_alpha():
     image = np.random.default_rng(3).integers(0, 256, (4, 5, 4), np.uint8)
     assert np.array_equal(as_colours(image), image[..., :3])
     assert np.array_equal(as_colours(image[..., :2]), image[..., :1].repeat(3, axis=2))
-
-
-def test_a_thumbnail_is_the_mean_of_squares():
-    image = np.zeros((12, 21, 1), np.uint8)
-    image[:3, :3] = 90
-    small = thumbnail(image, 7)
-    assert small.shape == (4, 7, 3)
-    assert small[0, 0].tolist() == [90] * 3
-    assert small[1:].max() == 0
-
-
-def test_a_thumbnail_of_a_line_has_a_pixel():
-    assert thumbnail(np.zeros((1, 500, 1), np.uint8), 10).shape[0] == 1
