@@ -20,7 +20,8 @@ from stylit_ref.studio.painting.paint_file import read_paint, write_paint
 
 _VERSION = 1
 
-_LARGEST_SERIAL = 2**32 - 1
+LARGEST_SERIAL = 2**32 - 1
+"""The largest number of a paint: page and server tell it in four bytes."""
 
 
 @dataclass(frozen=True)
@@ -222,7 +223,7 @@ class PaintingFolder:
                 raise ValueError
             setting = Setting(**facts)
             is_known = all(isinstance(vars(setting)[name], kind) for name, kind in _KINDS.items())
-            if not (is_known and setting.step >= 0 and 0 <= setting.serial <= _LARGEST_SERIAL):
+            if not (is_known and setting.step >= 0 and 0 <= setting.serial <= LARGEST_SERIAL):
                 raise ValueError
         except (OSError, ValueError, TypeError, RecursionError):
             note(

@@ -12,6 +12,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from stylit_ref.studio.painting.folder import LARGEST_SERIAL
+
 VERSION = 1
 
 LARGEST_MESSAGE = 64 * 2**20
@@ -19,8 +21,6 @@ LARGEST_MESSAGE = 64 * 2**20
 
 LARGEST_TEXT = 64 * 2**10
 """Characters of a message that is no paint."""
-
-LARGEST_SERIAL = 2**32 - 1
 
 PICTURES = "replay", "coherent", "warm", "fast", "full", "step", "look"
 """Kinds of pictures, by the number that stands for each."""
