@@ -1,32 +1,17 @@
 """``stylit-ref``: stylize images from the command line.
 
-A command is a file with ``add_parser(commands)`` and ``run(options)``, and an entry of
+A command is a file of that name with ``add_parser(commands)`` and ``run(options)``, and an entry of
 :data:`COMMANDS`. Its parser's defaults are ``command``, which is ``run``, and ``parser``, which
-knows the flag of a parameter that is refused. Nothing below knows the command line, so it alone may
-call on the oracle, the bundled scenes and what there is for a GPU.
+knows the flag of a parameter that is refused. Only the command that is called is loaded, since all
+of them together take longer to load than a preview takes to be made. Nothing below knows the
+command line, so it alone may call on the oracle, the bundled scenes and what there is for a GPU.
 """
 
 import sys
+from collections.abc import Iterable
+from importlib import import_module
 
 from stylit_ref import __version__
-from stylit_ref.cli import (
-    doctor,
-    edit_texture,
-    example,
-    layers,
-    motion,
-    oracle,
-    replay,
-    replay_texture,
-    run,
-    sequence,
-    studio,
-    texture,
-    view,
-    viewer,
-    views,
-    warm_up,
-)
 from stylit_ref.cli.notes import notes_on_stderr
 from stylit_ref.cli.parser import Parser
 from stylit_ref.errors import InputError
@@ -44,23 +29,24 @@ small picture of it:
   stylit-ref texture --exemplar pebbles.png --size 1024x1024 --output texture.png"""
 
 COMMANDS = (
-    example,
-    run,
-    studio,
-    sequence,
-    views,
-    view,
-    viewer,
-    replay,
-    texture,
-    edit_texture,
-    replay_texture,
-    layers,
-    motion,
-    doctor,
-    warm_up,
-    oracle,
+    "example",
+    "run",
+    "studio",
+    "sequence",
+    "views",
+    "view",
+    "viewer",
+    "replay",
+    "texture",
+    "edit-texture",
+    "replay-texture",
+    "layers",
+    "motion",
+    "doctor",
+    "warm-up",
+    "oracle",
 )
+"""Names of the commands, in the order of the help."""
 
 
 def command() -> None:
@@ -84,11 +70,11 @@ def main(arguments: list[str] | None = None) -> int:
         Exit code: 0 on success, 1 where a port differs from the oracle or a check decides nothing,
         2 for input that cannot be used, 130 when interrupted.
     """
-    parser = make_parser()
-    if not (sys.argv[1:] if arguments is None else arguments):
-        parser.print_help()
+    words = sys.argv[1:] if arguments is None else arguments
+    if not words:
+        make_parser().print_help()
         return 2
-    options = parser.parse_args(arguments)
+    options = make_parser(words[:1] if words[0] in COMMANDS else COMMANDS).parse_args(words)
     try:
         with notes_on_stderr(options):
             return options.command(options) or 0
@@ -105,8 +91,14 @@ def main(arguments: list[str] | None = None) -> int:
         return 130
 
 
-def make_parser() -> Parser:
-    """The parser of the command line, with those of all commands."""
+def make_parser(names: Iterable[str] = COMMANDS) -> Parser:
+    """The parser of the command line, with those of some commands.
+
+    Parameters
+    ----------
+    names : iterable of str
+        Some of :data:`COMMANDS`.
+    """
     parser = Parser(
         prog="stylit-ref",
         usage="%(prog)s COMMAND ...",
@@ -117,6 +109,6 @@ def make_parser() -> Parser:
     commands = parser.add_subparsers(
         required=True, title="commands", metavar="COMMAND", prog="stylit-ref"
     )
-    for each in COMMANDS:
-        each.add_parser(commands)
+    for name in names:
+        import_module(f"{__name__}.{name.replace('-', '_')}").add_parser(commands)
     return parser

@@ -4,7 +4,6 @@ from collections.abc import Callable
 from dataclasses import fields
 from typing import Any, NamedTuple
 
-from stylit_ref.cli.realtime import kernels_of_realtime, realtime_frame
 from stylit_ref.errors import InputError
 from stylit_ref.machine.kernel import Specialization
 from stylit_ref.realtime.params import REALTIME_PRESETS, RealtimeParams
@@ -57,6 +56,18 @@ def _stylization(method):
     return Offer(method.text, Params, tuple(heeds), presets, options, stylize, kernels_of_run)
 
 
+def _realtime_frame(*inputs, **settings):
+    from stylit_ref.cli.realtime import realtime_frame  # imported late: other methods need none
+
+    return realtime_frame(*inputs, **settings)
+
+
+def _kernels_of_realtime(*channels):
+    from stylit_ref.cli.realtime import kernels_of_realtime
+
+    return kernels_of_realtime(*channels)
+
+
 OFFERS = {name: _stylization(method) for name, method in METHODS.items()} | {
     "realtime": Offer(
         "a frame in milliseconds, for programs that show a picture while it is painted",
@@ -64,8 +75,8 @@ OFFERS = {name: _stylization(method) for name, method in METHODS.items()} | {
         tuple(each.name for each in fields(RealtimeParams)),
         REALTIME_PRESETS,
         ("warm_start",),
-        realtime_frame,
-        kernels_of_realtime,
+        _realtime_frame,
+        _kernels_of_realtime,
     )
 }
 """By the name that ``--method`` takes; the first is the default."""

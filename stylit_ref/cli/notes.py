@@ -7,8 +7,6 @@ import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from tqdm import tqdm
-
 from stylit_ref.errors import one_line
 from stylit_ref.notes import LOGGER
 
@@ -34,6 +32,8 @@ class _Notes(logging.Handler):
 
 def say(text: str) -> None:
     """Print a note."""
+    from tqdm import tqdm  # imported late: most runs have nothing to tell
+
     tqdm.write(f"note: {one_line(text)}", file=sys.stderr)  # above a bar, if there is one
 
 

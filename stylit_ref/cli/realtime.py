@@ -52,15 +52,6 @@ class Frame(NamedTuple):
     dense: NDArray[np.int32] | None
 
 
-def add_warm_start(group: argparse._ArgumentGroup) -> None:
-    """Add ``--warm-start``."""
-    group.add_argument(
-        "--warm-start", metavar="FILE.npy",
-        help="begin with the matches of the frame before it, which --nnf wrote; search the finest "
-        "level, and renew what has grown old from --renewal-level upwards",
-    )  # fmt: skip
-
-
 def run_realtime(options: argparse.Namespace, params: RealtimeParams) -> None:
     """Read, pack, compute a frame, write; all is checked before the work starts."""
     start, profile = perf_counter(), Profile()

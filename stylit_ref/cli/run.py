@@ -25,7 +25,6 @@ from stylit_ref.cli.methods import offer_of
 from stylit_ref.cli.parameter_options import whole_number
 from stylit_ref.cli.parser import Parser
 from stylit_ref.cli.progress_line import ProgressLine
-from stylit_ref.cli.realtime import add_warm_start, run_realtime
 from stylit_ref.machine.profiling import Profile
 from stylit_ref.notes import note
 from stylit_ref.realtime.params import RealtimeParams
@@ -81,7 +80,11 @@ def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
     add_parameters(parser.add_argument_group("the method in detail"), dense, _EVERYDAY)
     realtime = parser.add_argument_group("with --method realtime")
     add_parameters(realtime, without=dense)
-    add_warm_start(realtime)
+    realtime.add_argument(
+        "--warm-start", metavar="FILE.npy",
+        help="begin with the matches of the frame before it, which --nnf wrote; search the finest "
+        "level, and renew what has grown old from --renewal-level upwards",
+    )  # fmt: skip
     add_other_outputs(parser.add_argument_group("other files to write"))
     machine = parser.add_argument_group("the machine")
     machine.add_argument(
@@ -104,6 +107,8 @@ def run(options: argparse.Namespace) -> None:
     start = perf_counter()
     params, offer = chosen_params(options), offer_of(method_of(options))
     if isinstance(params, RealtimeParams):
+        from stylit_ref.cli.realtime import run_realtime  # imported late: other methods need none
+
         run_realtime(options, params)
         return
     profile = Profile()

@@ -8,7 +8,6 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import distance_transform_edt
 
 from stylit_ref.cli.texture_images import Source, read_colours, read_labels
 from stylit_ref.cli.texture_masks import read_mask_of
@@ -87,6 +86,8 @@ def _completion(options, params, colours):
 
 def _fitted_to_known(path, hole, params):
     """Parameters with a radius of which a patch fits between the holes."""
+    from scipy.ndimage import distance_transform_edt  # imported late: SciPy takes long to load
+
     clearance = int(distance_transform_edt(np.pad(~hole, 1)).max())
     fits = 2 * clearance - 1
     if params.radius <= fits:

@@ -18,6 +18,7 @@ from typing import Any
 from numba import types
 from numba.core.caching import FunctionCache, IndexDataCacheFile
 from numba.core.registry import cpu_target
+from numba.core.runtime import rtsys
 
 from stylit_ref.machine.code_digest import code_digest, imported_files
 
@@ -57,12 +58,17 @@ class KernelCache(FunctionCache):
         except (OSError, SyntaxError):
             return False
 
-    def load_overload(self, *arguments: Any) -> Any:
-        """None also for a damaged file, which is emptied: it is compiled and kept anew."""
+    def load_overload(self, sig: Any, target_context: Any) -> Any:
+        """None also for a damaged file, which is emptied: it is compiled and kept anew.
+
+        Numba's own prepares for compiling first, by importing all that code may call, SciPy too.
+        What is compiled already needs none of that, and most programs compile nothing.
+        """
         if not self._is_as_it_ran:
             return None
         try:
-            return super().load_overload(*arguments)
+            rtsys.initialize(target_context)
+            return self._load_overload(sig, target_context)
         except Exception:  # whatever a pickle of random bytes brings about
             with suppress(OSError):
                 self._cache_file.flush()

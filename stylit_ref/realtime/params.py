@@ -15,11 +15,11 @@ from stylit_ref.parameters import (
     parameter,
 )
 from stylit_ref.realtime.formulae.feature_distance import MU_ONE, TERMS
-from stylit_ref.realtime.passes.records import MEANS
 
 EVERYWHERE = 1 << 15
 """A radius that reaches the whole source at any level."""
 
+MEANS = "mip", "box"
 PACKINGS = "auto", "packed", "all", "pca"
 STARTS = "vote", "bilinear"
 

@@ -5,7 +5,6 @@ from numbers import Integral
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import distance_transform_edt
 
 from stylit_ref.arrays import as_array
 from stylit_ref.errors import InputError, shown
@@ -76,6 +75,8 @@ def complete_texture(
     InputError
         If arrays or parameters do not fit together; the message names the sizes.
     """
+    from scipy.ndimage import distance_transform_edt  # imported late: SciPy takes long to load
+
     picture, hole = with_channels(image, "the image"), as_array(hole, "hole")
     others = [with_channels(given, f"exemplar {k}") for k, given in enumerate(exemplars, 1)]
     for k, other in enumerate(others, 1):

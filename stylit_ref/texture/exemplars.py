@@ -7,7 +7,6 @@ from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import distance_transform_edt
 
 from stylit_ref.arrays import as_array
 from stylit_ref.errors import InputError
@@ -153,6 +152,8 @@ def make_exemplars(
     InputError
         If images differ in their channels, or there are too many pixels for an address.
     """
+    from scipy.ndimage import distance_transform_edt  # imported late: SciPy takes long to load
+
     if not images:
         raise InputError("no exemplar was given")
     pictures = [with_channels(image, f"exemplar {k}") for k, image in enumerate(images, 1)]

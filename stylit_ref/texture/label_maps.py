@@ -5,7 +5,6 @@ from numbers import Real
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import maximum_filter, minimum_filter
 
 from stylit_ref.errors import InputError, shown
 from stylit_ref.notes import note
@@ -29,6 +28,11 @@ def with_free_borders(labels: NDArray[np.uint8], band: int = FREE_BAND) -> NDArr
 
     The map wraps around.
     """
+    from scipy.ndimage import (  # imported late: SciPy takes long to load
+        maximum_filter,
+        minimum_filter,
+    )
+
     reach = np.arange(-band, band + 1)
     disc = np.hypot(*np.meshgrid(reach, reach)) <= band
     least = minimum_filter(labels, footprint=disc, mode="wrap")

@@ -10,10 +10,9 @@ import pytest
 from cli.calls import refused, run
 
 from stylit_ref import InputError, Params, write_image
-from stylit_ref.cli import COMMANDS, main, make_parser
+from stylit_ref.cli import main, make_parser
 from stylit_ref.cli.methods import OFFERS
 from stylit_ref.cli.notes import notes_on_stderr
-from stylit_ref.cli.parser import Parser
 from stylit_ref.notes import note
 
 PARAMETERS = {
@@ -45,11 +44,7 @@ def raise_in_run(monkeypatch):
 
 @pytest.mark.parametrize("command", PARAMETERS)
 def test_every_parameter_has_a_flag_of_its_command(command):
-    parser = Parser()
-    commands = parser.add_subparsers()
-    for each in COMMANDS:
-        each.add_parser(commands)
-    options = parser.parse_args([*command.split(), *NEEDED[command]])
+    options = make_parser().parse_args([*command.split(), *NEEDED[command]])
     flags = [options.parser.flag_of(name) for name in sorted(PARAMETERS[command])]
     assert all(flag.startswith("--") for flag in flags), flags
     assert len(set(flags)) == len(flags)

@@ -5,10 +5,6 @@ import re
 from glob import escape, glob
 from pathlib import PurePath
 
-from fileseq import FileSequence
-from fileseq.constants import PAD_STYLE_HASH1
-from fileseq.utils import pad
-
 _KINDS = r"%0?\d*d", r"\$F\d*", r"#+"
 """Placeholders of a number. A name is read by the first kind that it has, so that a folder may be
 called ``shot#2``."""
@@ -57,6 +53,8 @@ class FramePattern:
 
     def _filled(self, numbers):
         first, *names = self._names
+        from fileseq.utils import pad  # imported late, as below
+
         padded = map(pad, numbers, self._widths)
         return first + "".join(number + name for number, name in zip(padded, names, strict=True))
 
@@ -68,6 +66,9 @@ def is_pattern(text: str) -> bool:
 
 def _taken_apart(text, kind):
     """What stands between the placeholders; their widths; how many are in the file's own name."""
+    from fileseq import FileSequence  # imported late: most names have no placeholder
+    from fileseq.constants import PAD_STYLE_HASH1
+
     widths = [
         FileSequence.getPaddingNum(found, pad_style=PAD_STYLE_HASH1)
         for found in re.findall(kind, text)

@@ -15,8 +15,6 @@ from stylit_ref.machine.kernel import kernel
 from stylit_ref.realtime.formulae.average import box_radius
 from stylit_ref.realtime.passes.image import Image
 
-MEANS = "mip", "box"
-
 
 @inlined
 def _put_means(columns, radii, centre, lanes, out):

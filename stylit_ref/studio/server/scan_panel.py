@@ -1,6 +1,6 @@
 """A sheet to print and paint on, and what a scan or photograph of it shows."""
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,19 +15,29 @@ from stylit_ref.studio.server.in_thread import in_thread
 from stylit_ref.studio.server.panel import Panel
 from stylit_ref.studio.server.protocol import sentence
 from stylit_ref.studio.sheet.photograph import read_photograph
-from stylit_ref.studio.sheet.print_sheet import print_sheet
-from stylit_ref.studio.sheet.register import Registered, register, register_corners
+
+if TYPE_CHECKING:
+    from stylit_ref.studio.sheet.register import Registered
 
 _TAKEN = "The painting is that of the scan."
 
 
 def scan_panel() -> Panel:
-    """``/sheet.pdf``, ``/scan`` and ``/scan/corners``, of the scene that is open."""
+    """``/sheet.pdf``, ``/scan`` and ``/scan/corners``, of the scene that is open.
+
+    What needs SciPy is imported by who asks for it first, so that the page opens without it.
+    """
     last: list[bytes] = []  # what was sent last
 
     async def sheet(request: Request) -> Response:
         offer = request.app.state.desk.offer
-        content = await in_thread(lambda: print_sheet(offer.rendering(), offer.things()))
+
+        def printed() -> bytes:
+            from stylit_ref.studio.sheet.print_sheet import print_sheet
+
+            return print_sheet(offer.rendering(), offer.things())
+
+        content = await in_thread(printed)
         return Response(content, media_type="application/pdf")
 
     async def scan(request: Request) -> Response:
@@ -37,7 +47,9 @@ def scan_panel() -> Panel:
         told: dict[str, Any] = {"width": width, "height": height, "corners": None}
         size = request.app.state.desk.offer.size[::-1]
 
-        def look() -> Registered | InputError:
+        def look() -> "Registered | InputError":
+            from stylit_ref.studio.sheet.register import register
+
             try:
                 return register(photograph, size)
             except InputError as error:
@@ -55,9 +67,13 @@ def scan_panel() -> Panel:
             raise HTTPException(404, "Send a photograph first.")
         content = last[0]
         size = request.app.state.desk.offer.size[::-1]
-        painting = await in_thread(
-            lambda: register_corners(read_photograph(content), corners, size)
-        )
+
+        def registered() -> NDArray[np.uint8]:
+            from stylit_ref.studio.sheet.register import register_corners
+
+            return register_corners(read_photograph(content), corners, size)
+
+        painting = await in_thread(registered)
         _take(request, painting)
         return JSONResponse({"text": _TAKEN})
 

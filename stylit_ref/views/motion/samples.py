@@ -6,7 +6,6 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import gaussian_filter, map_coordinates
 
 from stylit_ref.errors import InputError
 from stylit_ref.files.motion_file import Vectors
@@ -132,6 +131,8 @@ def ways_of(sample: Sample, number: int) -> Ways:
 
 def change_of(sample: Sample) -> Difference:
     """How much the pictures differ without motion, at all pixels, once noise is smoothed away."""
+    from scipy.ndimage import gaussian_filter  # imported late: SciPy takes long to load
+
     change = Difference()
     for pictures in sample.pictures.values():
         smooth = [gaussian_filter(picture, NOISE) for picture in pictures]
@@ -186,6 +187,8 @@ def _spread(chosen):
 
 
 def _difference(pictures, pixels, vectors):
+    from scipy.ndimage import map_coordinates  # imported late: SciPy takes long to load
+
     here, there = pictures
     places = [pixels[0] + vectors[:, 1], pixels[1] + vectors[:, 0]]
     found = map_coordinates(there, places, np.float64, order=1, mode="nearest")

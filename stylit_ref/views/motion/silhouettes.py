@@ -13,7 +13,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import maximum_filter
 
 from stylit_ref.views import passes
 from stylit_ref.views.formulae.depth import inverse_depth
@@ -81,6 +80,8 @@ def places_beside(inverse: NDArray[np.float64]) -> NDArray[np.int32]:
     (H, W, 2) int32
         (y, x).
     """
+    from scipy.ndimage import maximum_filter  # imported late: SciPy takes long to load
+
     size = inverse.shape
     # Zeros, since a rehearsal looks up what is at every place.
     rims, places = np.zeros(size, np.bool_), np.zeros((*size, 2), np.int32)
