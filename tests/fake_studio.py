@@ -119,7 +119,7 @@ class FakeStudio:
         }  # fmt: skip
         still = golem | {"name": "teapot", "title": "Teapot", "steps": 1, "layers": []}
         return {
-            "say": "welcome", "version": 1, "role": role, "scenes": [golem, still],
+            "say": "welcome", "version": 2, "role": role, "scenes": [golem, still],
             "painting": {
                 "width": width, "height": height, "name": self.name, "serial": self.serial,
             },
@@ -152,7 +152,7 @@ class FakeStudio:
     async def _live(self, socket):
         await socket.accept()
         self.loop = asyncio.get_running_loop()
-        assert await socket.receive_json() == {"do": "hello", "version": 1}
+        assert await socket.receive_json() == {"do": "hello", "version": 2}
         self.sockets.append(socket)
         role = "painter" if len(self.sockets) == 1 else "reader"
         await self._greet(socket, role)

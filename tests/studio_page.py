@@ -5,8 +5,8 @@ import time
 
 import numpy as np
 
-_PIXELS = """() => {
-  const canvas = document.getElementById("painting");
+_PIXELS = """name => {
+  const canvas = document.getElementById(name);
   const shown = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
   let letters = "";
   for (let i = 0; i < shown.length; i += 32768)
@@ -66,10 +66,10 @@ class StudioPage:
         )(window.stylitStudio.sender)""")
         return self.page.evaluate("window.stylitStudio.sender.serial")
 
-    def pixels(self):
-        """The painting as the canvas shows it, (H, W, 3) uint8."""
+    def pixels(self, canvas="painting"):
+        """The painting, or the picture, as its canvas shows it, (H, W, 3) uint8."""
         self.page.evaluate("new Promise(requestAnimationFrame)")
-        height, width, letters = self.page.evaluate(_PIXELS)
+        height, width, letters = self.page.evaluate(_PIXELS, canvas)
         rgba = np.frombuffer(base64.b64decode(letters), np.uint8).reshape(height, width, 4)
         assert (rgba[..., 3] == 255).all()
         return rgba[..., :3]

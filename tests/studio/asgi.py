@@ -4,6 +4,8 @@ import asyncio
 import json
 from typing import NamedTuple
 
+from studio.whole_picture import whole_picture
+
 
 class Answer(NamedTuple):
     """What came back."""
@@ -60,7 +62,7 @@ class Socket:
     """
 
     def __init__(self, app, headers, path="/live"):
-        self.status = self.code = None
+        self.status = self.code = self._picture = None
         self._to_app, self._from_app = asyncio.Queue(), asyncio.Queue()
         self._to_app.put_nowait({"type": "websocket.connect"})
         scope = {
@@ -80,7 +82,7 @@ class Socket:
     async def hello(self):
         """Say hello; returns the welcome."""
         assert await self.open()
-        self.say(do="hello", version=1)
+        self.say(do="hello", version=2)
         return await self.said("welcome")
 
     def say(self, **words):
@@ -102,7 +104,7 @@ class Socket:
                     return words
 
     async def shown(self, kind):
-        """The next picture (1) or painting (2), as bytes."""
+        """The next picture (1) or painting (2), as bytes of all of it."""
         while True:
             message = await self._next()
             if message.get("bytes") and message["bytes"][0] == kind:
@@ -125,4 +127,7 @@ class Socket:
         await self._task
 
     async def _next(self):
-        return await asyncio.wait_for(self._from_app.get(), 5)
+        message = await asyncio.wait_for(self._from_app.get(), 5)
+        if (message.get("bytes") or b"\0")[0] in (1, 3):
+            self._picture = message["bytes"] = whole_picture(message["bytes"], self._picture)
+        return message

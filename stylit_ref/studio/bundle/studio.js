@@ -153,13 +153,13 @@
   function swap(painting, from, to) {
     const tiles = from.pop();
     if (!tiles) return null;
-    let changed = null;
+    let changed2 = null;
     for (const [tile, copy] of tiles) {
       tiles.set(tile, painting.copyTile(tile));
-      changed = around(changed, painting.writeTile(tile, copy));
+      changed2 = around(changed2, painting.writeTile(tile, copy));
     }
     to.push(tiles);
-    return changed;
+    return changed2;
   }
 
   // src/brush.ts
@@ -339,9 +339,9 @@
     }
     /** Take it all back; where the painting differs now. */
     cancel() {
-      let changed = null;
-      for (const [tile, before] of this.before) changed = around(changed, this.painting.writeTile(tile, before));
-      return changed;
+      let changed2 = null;
+      for (const [tile, before] of this.before) changed2 = around(changed2, this.painting.writeTile(tile, before));
+      return changed2;
     }
     /** Leave a mark; where the painting differs now. */
     add(dab) {
@@ -493,9 +493,9 @@
       this.tell();
     }
     add(dabs, time) {
-      let changed = null;
-      for (const dab of dabs) changed = around(changed, this.stroke.add(dab));
-      this.sender.changed(changed, time);
+      let changed2 = null;
+      for (const dab of dabs) changed2 = around(changed2, this.stroke.add(dab));
+      this.sender.changed(changed2, time);
     }
     get paintsTexture() {
       return this.settings.chosen.usesTexture && this.texture !== null;
@@ -509,10 +509,12 @@
   };
 
   // src/protocol.ts
-  var VERSION = 1;
+  var VERSION = 2;
   var RESULTS = ["replay", "coherent", "warm", "fast", "full", "step", "look"];
   var RECT_HEAD = 14;
   var FRAME_HEAD = 16;
+  var [PAINTING, CHANGES] = [2, 3];
+  var TILE2 = 16;
   function rectMessage(rect, serial, rgb) {
     const message = new Uint8Array(RECT_HEAD + rgb.length);
     const head = new DataView(message.buffer);
@@ -522,15 +524,31 @@
     message.set(rgb, RECT_HEAD);
     return message;
   }
-  function readFrame(message) {
+  function readFrame(message, before) {
     if (message.byteLength < FRAME_HEAD) return null;
     const head = new DataView(message);
+    const [kind, which] = [head.getUint8(0), RESULTS[head.getUint8(1)]];
     const [width, height] = [head.getUint16(2, true), head.getUint16(4, true)];
-    const which = RESULTS[head.getUint8(1)];
-    const rgb = new Uint8Array(message, FRAME_HEAD);
-    if (!which || rgb.length !== 3 * width * height) return null;
+    const body = new Uint8Array(message, FRAME_HEAD);
+    const rgb = kind === CHANGES ? changed(body, before) : body;
+    if (!which || rgb?.length !== 3 * width * height) return null;
     const [serial, milliseconds] = [head.getUint32(8, true), head.getFloat32(12, true)];
-    return { isPainting: head.getUint8(0) === 2, which, width, height, serial, milliseconds, rgb };
+    return { isPainting: kind === PAINTING, which, width, height, serial, milliseconds, rgb };
+  }
+  function changed(body, before) {
+    if (!before) return null;
+    const { width, height } = before;
+    const [rows, columns] = [Math.ceil(height / TILE2), Math.ceil(width / TILE2)];
+    const rgb = before.rgb.slice();
+    let from = Math.ceil(rows * columns / 8);
+    for (let tile = 0; tile < rows * columns; tile++) {
+      if (!(body[tile >> 3] >> (tile & 7) & 1)) continue;
+      const [x, y] = [tile % columns * TILE2, Math.floor(tile / columns) * TILE2];
+      const length = 3 * Math.min(TILE2, width - x);
+      for (let row = 0; row < TILE2; row++, from += 3 * TILE2)
+        if (y + row < height) rgb.set(body.subarray(from, from + length), 3 * ((y + row) * width + x));
+    }
+    return rgb;
   }
 
   // src/connection.ts
@@ -540,6 +558,8 @@
     heard = null;
     socket = null;
     wait = FIRST_WAIT;
+    /** The last picture that came. */
+    picture = null;
     /** Whether the server has welcomed the page. */
     isOpen = false;
     /** Begin, and tell what is heard from now on. */
@@ -563,11 +583,13 @@
     open() {
       const socket = new WebSocket(`ws://${location.host}/live`);
       this.socket = socket;
+      this.picture = null;
       socket.binaryType = "arraybuffer";
       socket.onopen = () => socket.send(JSON.stringify({ do: "hello", version: VERSION }));
       socket.onmessage = ({ data }) => {
         if (typeof data !== "string") {
-          const frame = readFrame(data);
+          const frame = readFrame(data, this.picture);
+          if (frame && !frame.isPainting) this.picture = frame;
           if (frame) this.heard?.frame(frame);
           return;
         }
@@ -789,7 +811,8 @@
       this.drag = drag;
       const { pane } = viewport;
       pane.addEventListener("pointerdown", (event) => this.down(event));
-      pane.addEventListener("pointermove", (event) => this.move(event));
+      const moves = "onpointerrawupdate" in pane ? "pointerrawupdate" : "pointermove";
+      pane.addEventListener(moves, (event) => this.move(event));
       for (const kind of ["pointerup", "pointercancel", "lostpointercapture"])
         pane.addEventListener(kind, (event) => this.up(event));
       pane.addEventListener("contextmenu", (event) => event.preventDefault());
@@ -929,16 +952,18 @@
     rests(serial) {
       this.rested.set(serial, performance.now());
     }
-    /** A picture has been drawn in this frame. Paint is answered by the first that shows it, of whatever kind. */
+    /** A picture has been drawn for the next frame. Paint is answered by the first that shows it, of whatever kind. */
     shows(which, serial) {
-      const { port1, port2 } = new MessageChannel();
-      port1.onmessage = () => {
-        port1.close();
-        this.answer("replay", this.moved, serial);
-        if (which !== "replay") this.answer("coherent", this.rested, serial);
-        this.times.splice(0, this.times.length - MOST);
-      };
-      port2.postMessage(null);
+      requestAnimationFrame(() => {
+        const { port1, port2 } = new MessageChannel();
+        port1.onmessage = () => {
+          port1.close();
+          this.answer("replay", this.moved, serial);
+          if (which !== "replay") this.answer("coherent", this.rested, serial);
+          this.times.splice(0, this.times.length - MOST);
+        };
+        port2.postMessage(null);
+      });
     }
     answer(which, asked, serial) {
       const now = performance.now();
@@ -1238,9 +1263,9 @@
     changed;
     unsent = {};
     askFrame;
-    constructor(connection, changed) {
+    constructor(connection, changed2) {
       this.connection = connection;
-      this.changed = changed;
+      this.changed = changed2;
       this.askFrame = oncePerFrame(() => {
         this.connection.ask({ do: "parameters", values: this.unsent });
         this.unsent = {};
@@ -1410,7 +1435,7 @@
     askFrame;
     constructor(latency) {
       this.latency = latency;
-      this.askFrame = oncePerFrame(() => this.draw());
+      this.askFrame = atOnceAndPerFrame(() => this.draw());
     }
     /** Begin again, as the server counts serials from elsewhere. */
     forget() {

@@ -28,7 +28,11 @@ def open_door(port: int | None) -> socket.socket:
     asked = range(USUAL_PORT, USUAL_PORT + _MORE) if port is None else [port]
     for each in asked:
         try:
-            return socket.create_server(("127.0.0.1", each))
+            door = socket.create_server(("127.0.0.1", each))
+            # Pages' sockets inherit it: else a picture may wait 40 ms until the one before has
+            # been acknowledged. asyncio sets it on sockets that name their protocol; these do not.
+            door.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+            return door
         except OSError as error:
             reason = error
             if error.errno != errno.EADDRINUSE:

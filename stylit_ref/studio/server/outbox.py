@@ -3,6 +3,8 @@
 import asyncio
 from collections import deque
 
+from stylit_ref.studio.server.sent_picture import SentPicture
+
 MOST_TEXTS = 1000
 """A page that reads so little loses the oldest."""
 
@@ -10,12 +12,14 @@ MOST_TEXTS = 1000
 class Outbox:
     """Filled by the server, emptied by one task.
 
-    A page that is slower than the engine gets fewer pictures, never old ones.
+    A page that is slower than the engine gets fewer pictures, never old ones. Of a picture it is
+    sent what has changed since the last one.
     """
 
     def __init__(self) -> None:
         self._texts: deque[str] = deque(maxlen=MOST_TEXTS)
-        self._images: dict[str, bytes] = {}
+        self._images: dict[str, bytes | SentPicture] = {}
+        self._before: SentPicture | None = None
         self._filled = asyncio.Event()
 
     def say(self, text: str) -> None:
@@ -23,7 +27,7 @@ class Outbox:
         self._texts.append(text)
         self._filled.set()
 
-    def show(self, kind: str, image: bytes) -> None:
+    def show(self, kind: str, image: bytes | SentPicture) -> None:
         """Send a picture, in place of one of its kind that still waits."""
         self._images.pop(kind, None)
         self._images[kind] = image
@@ -38,4 +42,9 @@ class Outbox:
         return message
 
     def _oldest_image(self):
-        return self._images.pop(next(iter(self._images)))
+        image = self._images.pop(next(iter(self._images)))
+        if not isinstance(image, SentPicture):
+            return image
+        message = image.message(self._before)
+        self._before = image
+        return message

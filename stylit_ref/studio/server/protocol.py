@@ -1,4 +1,4 @@
-"""What page and server say to each other through the socket, version 1.
+"""What page and server say to each other through the socket, version 2.
 
 Paint and pictures travel as bytes, little-endian: a header and rows of RGB. All else is JSON.
 """
@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from stylit_ref.studio.painting.folder import LARGEST_SERIAL
 
-VERSION = 1
+VERSION = 2
 
 LARGEST_MESSAGE = 64 * 2**20
 """Bytes: a whole painting of the largest size fits."""
@@ -27,7 +27,8 @@ PICTURES = "replay", "coherent", "warm", "fast", "full", "step", "look"
 
 _PAINT = struct.Struct("<BBHHHHI")
 _IMAGE = struct.Struct("<BBHHHIf")
-_PAINT_KIND, _PICTURE_KIND, _PAINTING_KIND = 1, 1, 2
+_PAINT_KIND = 1
+_PICTURE_KIND, _PAINTING_KIND, _CHANGES_KIND = 1, 2, 3
 
 
 class ProtocolError(Exception):
@@ -270,12 +271,38 @@ def picture_bytes(which: str, image: NDArray[np.uint8], serial: int, millisecond
     return _image_bytes(_PICTURE_KIND, PICTURES.index(which), image, serial, milliseconds)
 
 
+def changes_bytes(
+    which: str,
+    image: NDArray[np.uint8],
+    serial: int,
+    milliseconds: float,
+    changed: NDArray[np.bool_],
+    tiles: NDArray[np.uint8],
+) -> bytes:
+    """What differs in a picture from the one that the page was sent before, of the same size.
+
+    Parameters
+    ----------
+    which, image, serial, milliseconds
+        As :func:`picture_bytes` takes them.
+    changed : (rows, columns) bool
+        Tiles that differ; they follow the header as bits, row by row, the lowest first.
+    tiles : (n, 16, 48) uint8
+        Those tiles, in this order, whole also where they reach beyond the picture.
+    """
+    head = _head(_CHANGES_KIND, PICTURES.index(which), image, serial, milliseconds)
+    return head + np.packbits(changed, bitorder="little").tobytes() + tiles.tobytes()
+
+
 def painting_bytes(painting: NDArray[np.uint8], serial: int) -> bytes:
     """The painting, (h, w, 3) uint8, for the page."""
     return _image_bytes(_PAINTING_KIND, 0, painting, serial, 0.0)
 
 
 def _image_bytes(kind, which, image, serial, milliseconds):
+    return _head(kind, which, image, serial, milliseconds) + np.ascontiguousarray(image).tobytes()
+
+
+def _head(kind, which, image, serial, milliseconds):
     height, width = image.shape[:2]
-    head = _IMAGE.pack(kind, which, width, height, 0, serial, milliseconds)
-    return head + np.ascontiguousarray(image).tobytes()
+    return _IMAGE.pack(kind, which, width, height, 0, serial, milliseconds)

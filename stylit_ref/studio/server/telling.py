@@ -11,7 +11,8 @@ from stylit_ref.studio.engine.events import (
     Stepped,
     Working,
 )
-from stylit_ref.studio.server.protocol import picture_bytes, said, sentence
+from stylit_ref.studio.server.protocol import said, sentence
+from stylit_ref.studio.server.sent_picture import SentPicture
 from stylit_ref.studio.server.visitors import Visitor, Visitors
 
 _WORDS = {
@@ -33,7 +34,7 @@ class Telling:
 
     def __init__(self, visitors: Visitors) -> None:
         self._visitors = visitors
-        self._last: dict[str, bytes] = {}
+        self._last: dict[str, SentPicture] = {}
         self._compiling: str | None = None
         self._problem: str | None = None  # since the last picture
 
@@ -63,7 +64,7 @@ class Telling:
             visitor.outbox.show(kind, picture)
 
     def _show(self, event: Picture) -> None:
-        picture = picture_bytes(event.which, event.image, event.serial, event.milliseconds)
+        picture = SentPicture(event.which, event.image, event.serial, event.milliseconds)
         if event.which in _ASKED_FOR:
             if self._visitors.painter:
                 self._visitors.painter.outbox.show(event.which, picture)

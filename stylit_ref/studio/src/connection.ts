@@ -16,6 +16,8 @@ export class Connection {
   private heard: Heard | null = null;
   private socket: WebSocket | null = null;
   private wait = FIRST_WAIT;
+  /** The last picture that came. */
+  private picture: Frame | null = null;
   /** Whether the server has welcomed the page. */
   isOpen = false;
 
@@ -44,11 +46,13 @@ export class Connection {
   private open(): void {
     const socket = new WebSocket(`ws://${location.host}/live`);
     this.socket = socket;
+    this.picture = null;
     socket.binaryType = "arraybuffer";
     socket.onopen = () => socket.send(JSON.stringify({ do: "hello", version: VERSION } satisfies Asked));
     socket.onmessage = ({ data }: MessageEvent<string | ArrayBuffer>) => {
       if (typeof data !== "string") {
-        const frame = readFrame(data);
+        const frame = readFrame(data, this.picture);
+        if (frame && !frame.isPainting) this.picture = frame;
         if (frame) this.heard?.frame(frame);
         return;
       }

@@ -46,7 +46,9 @@ export class Hands {
     this.drag = drag;
     const { pane } = viewport;
     pane.addEventListener("pointerdown", (event) => this.down(event));
-    pane.addEventListener("pointermove", (event) => this.move(event));
+    // What is raw does not wait for the next frame, where the browser has it.
+    const moves = "onpointerrawupdate" in pane ? "pointerrawupdate" : "pointermove";
+    pane.addEventListener(moves as "pointermove", (event) => this.move(event));
     for (const kind of ["pointerup", "pointercancel", "lostpointercapture"] as const)
       pane.addEventListener(kind, (event) => this.up(event));
     pane.addEventListener("contextmenu", (event) => event.preventDefault());

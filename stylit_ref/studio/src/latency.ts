@@ -26,17 +26,19 @@ export class Latency {
     this.rested.set(serial, performance.now());
   }
 
-  /** A picture has been drawn in this frame. Paint is answered by the first that shows it, of whatever kind. */
+  /** A picture has been drawn for the next frame. Paint is answered by the first that shows it, of whatever kind. */
   shows(which: Which, serial: number): void {
     // A task after the frame's own: the frame is laid out and painted by then.
-    const { port1, port2 } = new MessageChannel();
-    port1.onmessage = () => {
-      port1.close();
-      this.answer("replay", this.moved, serial);
-      if (which !== "replay") this.answer("coherent", this.rested, serial);
-      this.times.splice(0, this.times.length - MOST);
-    };
-    port2.postMessage(null);
+    requestAnimationFrame(() => {
+      const { port1, port2 } = new MessageChannel();
+      port1.onmessage = () => {
+        port1.close();
+        this.answer("replay", this.moved, serial);
+        if (which !== "replay") this.answer("coherent", this.rested, serial);
+        this.times.splice(0, this.times.length - MOST);
+      };
+      port2.postMessage(null);
+    });
   }
 
   private answer(which: Answered["which"], asked: Map<number, number>, serial: number): void {

@@ -2,7 +2,7 @@
 
 import type { Rect } from "./rect.js";
 
-export const VERSION = 1;
+export const VERSION = 2;
 
 export const RESULTS = ["replay", "coherent", "warm", "fast", "full", "step", "look"] as const;
 export type Which = (typeof RESULTS)[number];
@@ -100,6 +100,10 @@ export type Asked =
 
 const RECT_HEAD = 14;
 const FRAME_HEAD = 16;
+/** Kinds of frames. */
+const [PAINTING, CHANGES] = [2, 3];
+/** Pixels along a tile of a picture. */
+const TILE = 16;
 
 /** The message that brings a rectangle of the painting, three bytes a pixel. */
 export function rectMessage(rect: Rect, serial: number, rgb: Uint8Array): Uint8Array<ArrayBuffer> {
@@ -112,14 +116,32 @@ export function rectMessage(rect: Rect, serial: number, rgb: Uint8Array): Uint8A
   return message;
 }
 
-/** Null for a message that is none. */
-export function readFrame(message: ArrayBuffer): Frame | null {
+/** Null for a message that is none. Of a picture there may be only what has changed since the one `before`. */
+export function readFrame(message: ArrayBuffer, before: Frame | null): Frame | null {
   if (message.byteLength < FRAME_HEAD) return null;
   const head = new DataView(message);
+  const [kind, which] = [head.getUint8(0), RESULTS[head.getUint8(1)]];
   const [width, height] = [head.getUint16(2, true), head.getUint16(4, true)];
-  const which = RESULTS[head.getUint8(1)];
-  const rgb = new Uint8Array(message, FRAME_HEAD);
-  if (!which || rgb.length !== 3 * width * height) return null;
+  const body = new Uint8Array(message, FRAME_HEAD);
+  const rgb = kind === CHANGES ? changed(body, before) : body;
+  if (!which || rgb?.length !== 3 * width * height) return null;
   const [serial, milliseconds] = [head.getUint32(8, true), head.getFloat32(12, true)];
-  return { isPainting: head.getUint8(0) === 2, which, width, height, serial, milliseconds, rgb };
+  return { isPainting: kind === PAINTING, which, width, height, serial, milliseconds, rgb };
+}
+
+/** A picture with other tiles here and there; null if there is none. */
+function changed(body: Uint8Array, before: Frame | null): Uint8Array | null {
+  if (!before) return null;
+  const { width, height } = before;
+  const [rows, columns] = [Math.ceil(height / TILE), Math.ceil(width / TILE)];
+  const rgb = before.rgb.slice();
+  let from = Math.ceil((rows * columns) / 8);
+  for (let tile = 0; tile < rows * columns; tile++) {
+    if (!((body[tile >> 3] >> (tile & 7)) & 1)) continue;
+    const [x, y] = [(tile % columns) * TILE, Math.floor(tile / columns) * TILE];
+    const length = 3 * Math.min(TILE, width - x);
+    for (let row = 0; row < TILE; row++, from += 3 * TILE)
+      if (y + row < height) rgb.set(body.subarray(from, from + length), 3 * ((y + row) * width + x));
+  }
+  return rgb;
 }

@@ -1,7 +1,7 @@
 // The picture on the right: the newest wins, and its caption says what it is.
 
 import { byId } from "./elements.js";
-import { oncePerFrame } from "./frames.js";
+import { atOnceAndPerFrame } from "./frames.js";
 import type { Latency } from "./latency.js";
 import type { Frame, Which } from "./protocol.js";
 import { Screen } from "./screen.js";
@@ -25,7 +25,7 @@ export class Result {
 
   constructor(latency: Latency) {
     this.latency = latency;
-    this.askFrame = oncePerFrame(() => this.draw());
+    this.askFrame = atOnceAndPerFrame(() => this.draw());
   }
 
   /** Begin again, as the server counts serials from elsewhere. */

@@ -112,7 +112,7 @@ def test_pressure_shapes_a_pen(page):
       const send = (kind, [clientX, clientY], pressure) => pane.dispatchEvent(new PointerEvent(kind,
         { pointerId: 7, pointerType: "pen", clientX, clientY, pressure, bubbles: true }));
       send("pointerdown", from, 0.2);
-      send("pointermove", to, 1);
+      send("pointerrawupdate", to, 1);
       send("pointerup", to, 1);
     }""",
         [page.at(30, 60), page.at(120, 60)],

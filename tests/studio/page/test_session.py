@@ -3,6 +3,8 @@
 import numpy as np
 import pytest
 
+from stylit_ref.studio.server.sent_picture import SentPicture
+
 pytestmark = pytest.mark.slow  # a browser is a process of its own
 
 LINE = "document.getElementById('banner').textContent"
@@ -114,6 +116,19 @@ def test_a_painting_from_elsewhere_is_taken_over_and_can_be_undone(open_page, st
     assert np.array_equal(page.pixels(), studio.beginning)
     studio.rests(page.sent())
     assert np.array_equal(studio.painting, studio.beginning)
+
+
+def test_of_a_picture_its_changes_are_enough(open_page, studio):
+    page = open_page(studio).started()
+    before = SentPicture("coherent", 255 - studio.painting, studio.serial, 42.0)
+    image = before.image.copy()
+    image[5:40, 100:150] = 1, 2, 3
+    image[-1, -1] = 9
+    message = SentPicture("fast", image, studio.serial, 2.0).message(before)
+    assert len(message) < image.size / 2
+    studio.say(message)
+    page.until("window.stylitStudio.result.which", "fast")
+    np.testing.assert_array_equal(page.pixels("picture"), image)
 
 
 def test_what_the_server_says_is_shown(open_page, studio):

@@ -65,7 +65,7 @@ def test_a_page_paints_and_the_painting_is_saved_when_it_ends(served, tmp_path, 
     async def visit(access):
         async with page(access) as live:
             assert "Sec-WebSocket-Extensions" not in live.response.headers  # no compression
-            await live.send('{"do": "hello", "version": 1}')
+            await live.send('{"do": "hello", "version": 2}')
             assert json.loads(await live.recv())["say"] == "welcome"
             assert image_of(await live.recv())[1] == 0
             await live.send(stroke(5))
@@ -105,12 +105,19 @@ def test_strangers_and_broken_frames_are_refused_without_a_word_in_the_log(serve
             assert (await reader.read(12))[9:12] in (b"400", b"403")
             writer.close()
         async with page(access) as live:
-            await live.send('{"do": "hello", "version": 1}')
+            await live.send('{"do": "hello", "version": 2}')
             assert json.loads(await live.recv())["role"] == "painter"
 
     served(visit)
     said = capfd.readouterr()
     assert said.out + said.err == ""
+
+
+def test_a_picture_does_not_wait_for_acknowledgement():
+    with open_door(0) as door, socket.create_connection(door.getsockname()):
+        accepted, _ = door.accept()
+        with accepted:
+            assert accepted.getsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY)
 
 
 def test_a_port_that_is_taken_is_refused_by_name_and_passed_over_without():
