@@ -1,5 +1,6 @@
 """A painting that another program saves: read whenever it has changed and is whole."""
 
+import logging
 from collections.abc import Callable
 from pathlib import Path
 from threading import Event, Thread
@@ -9,6 +10,8 @@ from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
 from stylit_ref.studio.painting.paint_file import read_paint
+
+LOGGER: logging.Logger = logging.getLogger(__name__)
 
 PAUSE = 0.2
 """Seconds between two looks. What is on a network is seen so, too."""
@@ -62,6 +65,9 @@ class Watch:
             self._failures += 1
             if self._failures < PATIENCE:
                 return None
+            self._done = signature
+            raise
+        except Exception:
             self._done = signature
             raise
         if self._signature() != signature:  # it was being written meanwhile
@@ -123,6 +129,9 @@ class Watcher:
                 painting = self._watch.look()
             except InputError as error:
                 self._tell(error)
+            except Exception:
+                LOGGER.exception("the watched file cannot be looked at; please report it")
+                self._tell(InputError("the watched file failed; the terminal says how"))
             else:
                 if painting is not None:
                     self._tell(painting)

@@ -3,6 +3,7 @@
 import asyncio
 import socket
 from collections.abc import Callable, Sequence
+from contextlib import ExitStack
 from pathlib import Path
 
 import uvicorn
@@ -54,17 +55,17 @@ def serve(
     """
 
     async def run() -> None:
-        desk = Desk(beginning, engine, [panel.name for panel in panels])
-        watcher = _watching(watched, desk) if watched else None
-        try:
-            app = make_app(access, desk, beginning, panels)
-            await _Server(_config(app), listens).serve([door])
-        finally:
-            if watcher:
-                watcher.close()
+        with ExitStack() as ends:
+            desk = Desk(beginning, engine, [panel.name for panel in panels])
+            server = _Server(_config(make_app(access, desk, beginning, panels)), listens)
+            # Until all is saved, so that another Ctrl-C meanwhile does not skip that.
+            ends.enter_context(server.capture_signals())
+            ends.callback(desk.close)
             for panel in panels:
-                panel.close()
-            desk.close()
+                ends.callback(panel.close)
+            if watched:
+                ends.callback(_watching(watched, desk).close)
+            await server.serve([door])
 
     asyncio.run(run())
 
