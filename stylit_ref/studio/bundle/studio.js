@@ -1649,6 +1649,7 @@
       this.isResting = false;
       clearTimeout(this.timer);
     }
+    /** Show and send what has changed so far. */
     flush() {
       this.painting?.show();
       if (!this.isAllowed || !this.painting) return;
@@ -1680,11 +1681,13 @@
     /** Which painting comes next, after a welcome. */
     awaited = null;
     wasLost = false;
+    /** Whether a scene is. */
+    isOpening = false;
     constructor(parts) {
       this.parts = parts;
       const { connection } = parts;
       const chosen = byId("scene");
-      chosen.onchange = () => connection.ask({ do: "scene", name: chosen.value });
+      chosen.onchange = () => this.open(chosen.value);
       const seed = byId("seed");
       seed.onchange = () => seed.checkValidity() ? connection.ask({ do: "seed", value: seed.valueAsNumber }) : seed.reportValidity();
       byId("seed-next").onclick = () => {
@@ -1733,6 +1736,9 @@
       const { notices, sender, progress } = this.parts;
       sender.allow(false);
       this.letAsk(false);
+      this.isOpening = false;
+      this.awaited = null;
+      this.letPaint();
       progress.forget();
       const isAgain = this.wasLost;
       this.wasLost = true;
@@ -1779,8 +1785,20 @@
       else if (this.wasLost) notices.say(isAhead ? "Connected again; what you painted meanwhile is sent." : "Connected again.");
       this.wasLost = false;
     }
+    /** Another scene. It may have a painting of its own, so the brush waits until it is there. */
+    open(name) {
+      const { artist, sender, connection, notices } = this.parts;
+      artist.end();
+      sender.flush();
+      if (!connection.ask({ do: "scene", name })) return;
+      this.isOpening = true;
+      this.letPaint();
+      notices.say("The scene is being opened; the brush waits for it.");
+    }
     choose({ scene, step, parameters, weights, layers }) {
       const { turning, looks, guides, steps } = this.parts;
+      this.isOpening = false;
+      this.letPaint();
       this.scene = byId("scene").value = scene;
       this.parts.parameters.offer(parameters.fields, parameters.values);
       this.parts.shows(this.now);
@@ -1793,13 +1811,12 @@
       return this.scenes.find(({ name }) => name === this.scene);
     }
     take(role) {
-      const { notices, connection, artist, sender, looks } = this.parts;
+      const { notices, connection, sender, looks } = this.parts;
       const isReader = role === "reader";
       if (isReader) looks.leave();
       this.role = role;
-      artist.mayPaint = !isReader;
+      this.letPaint();
       sender.allow(false);
-      artist.tell();
       document.body.classList.toggle("reads", isReader);
       this.letAsk(!isReader);
       const text = sender.isBehind ? "Another page has the brush. This one holds strokes that the studio does not have: take over to keep them." : "Another page has the brush; this one looks on.";
@@ -1809,6 +1826,12 @@
     /** Whether what only a painter may ask can be asked: nothing while the studio does not answer. */
     letAsk(may) {
       for (const set of document.querySelectorAll("fieldset.painters")) set.disabled = !may;
+    }
+    /** A painter may paint, but for the time until another painting is there. */
+    letPaint() {
+      const { artist } = this.parts;
+      artist.mayPaint = this.role === "painter" && !this.isOpening && !this.awaited;
+      artist.tell();
     }
     repaint(frame) {
       const { artist, sender } = this.parts;
@@ -1829,6 +1852,7 @@
         if (frame.serial < sender.serial) sender.sendAll();
         else sender.forget(frame.serial);
       } else if (!isBeginning && !sender.isBehind) this.adopt(frame);
+      this.letPaint();
       sender.allow(this.role === "painter");
     }
     begin(frame) {

@@ -56,6 +56,7 @@ class Live:
     ) -> None:
         painting = check_painting(painting, scene).copy()
         self._scene, self._settings = scene, Settings(seed=seed)  # as they will be
+        self._painting = painting.copy()  # likewise
         self._follower = Follower(scene, painting, self._settings, threads)
         self._stepper = Stepper(self._follower.own_session)
         self._worker = Worker(self._follower, tell)
@@ -82,16 +83,12 @@ class Live:
             If it does not lie in the painting.
         """
         pixels = check_rectangle(x, y, pixels, self._scene.size)
-        self._worker.stroke(lambda: self._follower.paint(x, y, pixels, serial))
+        height, width = pixels.shape[:2]
+        self._painting[y : y + height, x : x + width] = pixels
+        self._worker.stroke(x, y, pixels, serial, self._painting)
 
-    def rest(self, serial: int) -> None:
-        """The brush pauses: a coherent frame follows, then ``fast`` in the background.
-
-        Parameters
-        ----------
-        serial : int
-            Of the last change of the painting, which the frame tells in any case.
-        """
+    def rest(self) -> None:
+        """The brush pauses: a coherent frame follows, then ``fast`` in the background."""
         self._worker.want_frame()
 
     def replace_painting(self, painting: NDArray[np.uint8], serial: int) -> None:
@@ -103,6 +100,7 @@ class Live:
             If it does not fit the scene.
         """
         painting = check_painting(painting, self._scene).copy()
+        self._painting = painting.copy()
         self._worker.change(lambda: self._follower.replace_painting(painting, serial), "cold")
 
     def finish(self) -> None:
@@ -129,6 +127,7 @@ class Live:
         """
         if painting is not None:
             painting = check_painting(painting, scene).copy()
+            self._painting = painting.copy()
         elif scene.size != self._scene.size:
             raise InputError(
                 f"{scene.title} is painted at {scene.size[1]}x{scene.size[0]} pixels, and the "

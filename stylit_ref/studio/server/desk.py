@@ -52,6 +52,7 @@ class Desk:
         self._shelf, self._panels = beginning.shelf, panels
         self._notes = list(beginning.notes)
         self._loop = asyncio.get_running_loop()
+        self._opening = asyncio.Lock()  # of a scene
         self._visitors = Visitors()
         self._telling = Telling(self._visitors)
         self._folder, saved, self._scene = beginning.folder, beginning.saved, beginning.scene
@@ -119,8 +120,9 @@ class Desk:
     async def grant(self, visitor: Visitor, wish: Wish) -> None:
         """Do what a page asks for, or say why not."""
         if isinstance(wish, protocol.TakeOver):
-            self._visitors.take_over(visitor)
-            self._welcome(visitor)
+            async with self._opening:  # what is painted before it ends could not be kept
+                self._visitors.take_over(visitor)
+                self._welcome(visitor)
         elif self._may_act(visitor):
             try:
                 await self._do(wish)
@@ -175,8 +177,8 @@ class Desk:
     async def _do(self, wish: Wish) -> None:
         setting, live = self._easel.setting, self._live
         match wish:
-            case protocol.Rest(serial):
-                live.rest(serial)
+            case protocol.Rest():
+                live.rest()
                 self._easel.save()
             case protocol.Finish():
                 live.finish()
@@ -207,6 +209,10 @@ class Desk:
 
     async def _open(self, name: str, picked: Sequence[str]) -> None:
         """Open a scene, or the same one with other layers."""
+        async with self._opening:
+            await self._change_scene(name, picked)
+
+    async def _change_scene(self, name: str, picked: Sequence[str]) -> None:
         offer = self._shelf.offer(name)
         scene = await asyncio.to_thread(offer.read, picked)
         layers = {**self._easel.setting.layers, name: list(picked)}
@@ -216,7 +222,10 @@ class Desk:
             self._set(scene=name, step=0, layers=layers)
             self._visitors.say("scene", self._state)
             return
-        saved = await asyncio.to_thread(self._change_painting, offer, scene)
+        saved = await asyncio.to_thread(self._painting_of, offer, scene)
+        self._easel.close()  # in no thread, so that nothing is painted meanwhile
+        setting = self._easel.setting
+        saved = replace(saved, setting=replace(setting, serial=setting.serial + LEAP))
         self._live.choose_scene(scene, saved.painting.copy(), saved.setting.serial)
         self._scene, self._easel = scene, self._new_easel(offer, saved)
         self.left_behind = self._easel.serial
@@ -224,22 +233,20 @@ class Desk:
         for visitor in self._visitors:
             self._welcome(visitor)
 
-    def _change_painting(self, offer: Offer, scene: Scene) -> Saved:
-        """Load the painting of a source of another size; if that can be had, save this one.
+    def _painting_of(self, offer: Offer, scene: Scene) -> Saved:
+        """The painting of a source of another size.
 
         Raises
         ------
         InputError
-            If one of them cannot; this painting then stays.
+            If it cannot be had.
         """
         saved = folder_of(offer, self._shelf, self._folder).load(offer.size)
         if saved is None:
             painting = offer.rendering()
             saved = Saved(painting, painting, Setting())
         check_painting(saved.painting, scene)
-        self._easel.close()
-        setting = self._easel.setting
-        return replace(saved, setting=replace(setting, serial=setting.serial + LEAP))
+        return saved
 
     def _new_easel(self, offer: Offer, saved: Saved) -> Easel:
         folder = folder_of(offer, self._shelf, self._folder)

@@ -53,12 +53,14 @@ export class Session implements Heard {
   /** Which painting comes next, after a welcome. */
   private awaited: { serial: number; keepsOwn: boolean } | null = null;
   private wasLost = false;
+  /** Whether a scene is. */
+  private isOpening = false;
 
   constructor(parts: Parts) {
     this.parts = parts;
     const { connection } = parts;
     const chosen = byId<HTMLSelectElement>("scene");
-    chosen.onchange = () => connection.ask({ do: "scene", name: chosen.value });
+    chosen.onchange = () => this.open(chosen.value);
     const seed = byId<HTMLInputElement>("seed");
     seed.onchange = () => (seed.checkValidity() ? connection.ask({ do: "seed", value: seed.valueAsNumber }) : seed.reportValidity());
     byId("seed-next").onclick = () => {
@@ -102,6 +104,9 @@ export class Session implements Heard {
     const { notices, sender, progress } = this.parts;
     sender.allow(false);
     this.letAsk(false);
+    this.isOpening = false;
+    this.awaited = null;
+    this.letPaint();
     progress.forget();
     const isAgain = this.wasLost;
     this.wasLost = true;
@@ -154,8 +159,21 @@ export class Session implements Heard {
     this.wasLost = false;
   }
 
+  /** Another scene. It may have a painting of its own, so the brush waits until it is there. */
+  private open(name: string): void {
+    const { artist, sender, connection, notices } = this.parts;
+    artist.end();
+    sender.flush();
+    if (!connection.ask({ do: "scene", name })) return;
+    this.isOpening = true;
+    this.letPaint();
+    notices.say("The scene is being opened; the brush waits for it.");
+  }
+
   private choose({ scene, step, parameters, weights, layers }: Chosen): void {
     const { turning, looks, guides, steps } = this.parts;
+    this.isOpening = false;
+    this.letPaint();
     this.scene = byId<HTMLSelectElement>("scene").value = scene;
     this.parts.parameters.offer(parameters.fields, parameters.values);
     this.parts.shows(this.now);
@@ -170,13 +188,12 @@ export class Session implements Heard {
   }
 
   private take(role: Role): void {
-    const { notices, connection, artist, sender, looks } = this.parts;
+    const { notices, connection, sender, looks } = this.parts;
     const isReader = role === "reader";
     if (isReader) looks.leave();
     this.role = role;
-    artist.mayPaint = !isReader;
+    this.letPaint();
     sender.allow(false); // until the painting has come that a welcome tells of
-    artist.tell();
     document.body.classList.toggle("reads", isReader);
     this.letAsk(!isReader);
     const text = sender.isBehind
@@ -189,6 +206,13 @@ export class Session implements Heard {
   /** Whether what only a painter may ask can be asked: nothing while the studio does not answer. */
   private letAsk(may: boolean): void {
     for (const set of document.querySelectorAll<HTMLFieldSetElement>("fieldset.painters")) set.disabled = !may;
+  }
+
+  /** A painter may paint, but for the time until another painting is there. */
+  private letPaint(): void {
+    const { artist } = this.parts;
+    artist.mayPaint = this.role === "painter" && !this.isOpening && !this.awaited;
+    artist.tell();
   }
 
   private repaint(frame: Frame): void {
@@ -210,6 +234,7 @@ export class Session implements Heard {
       if (frame.serial < sender.serial) sender.sendAll();
       else sender.forget(frame.serial);
     } else if (!isBeginning && !sender.isBehind) this.adopt(frame);
+    this.letPaint();
     sender.allow(this.role === "painter");
   }
 

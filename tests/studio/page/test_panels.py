@@ -16,9 +16,14 @@ def page(open_page, studio):
 def test_the_target_is_chosen(page, studio):
     page.page.locator("#scene").select_option("teapot")
     assert studio.asks("scene") == {"do": "scene", "name": "teapot"}
+    page.stroke((40, 60), (100, 60))
+    assert np.array_equal(page.pixels(), studio.beginning)
+    assert page.text("said") == "The scene is being opened; the brush waits for it."
     studio.say({**studio.welcome("painter"), "say": "scene", "scene": "teapot"})
     page.until("document.getElementById('turn-panel').hidden")
     assert page.page.locator("#guides input[type=checkbox]").count() == 0
+    page.stroke((40, 60), (100, 60))
+    assert not np.array_equal(page.pixels(), studio.beginning)
 
 
 def test_the_target_is_turned_by_slider_drag_and_keys(page, studio):

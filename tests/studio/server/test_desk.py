@@ -321,6 +321,24 @@ async def test_strokes_on_their_way_do_not_land_on_the_painting_of_another_scene
 
 
 @in_loop
+async def test_whoever_takes_over_while_a_scene_is_opened_paints_on_its_painting(tmp_path):
+    async with opened(tmp_path, beginning=several_sizes(tmp_path)) as found:
+        first, second = found.socket(), found.socket()
+        await first.hello()
+        await second.hello()
+        first.say(do="scene", name="three")
+        second.say(do="take_over")
+        assert (await second.said("welcome"))["painting"]["width"] == 40
+        assert (await second.said("role"))["role"] == "painter"
+        painting = (await second.said("welcome"))["painting"]
+        assert painting["width"] == 40
+        second.bytes(stroke(painting["serial"] + 1, 30, 20))
+        while image_of(await second.shown(1))[1] != painting["serial"] + 1:
+            pass
+        assert found.engine.calls[-1][0] == "paint"
+
+
+@in_loop
 async def test_what_cannot_be_saved_in_the_end_is_an_error(tmp_path):
     async with opened(tmp_path) as found:
         page = found.socket()
