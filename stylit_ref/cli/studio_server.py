@@ -6,7 +6,6 @@ import sys
 import webbrowser
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from pathlib import Path
 from threading import Thread
 
 import numpy as np
@@ -14,14 +13,13 @@ from numpy.typing import NDArray
 
 from stylit_ref.cli.bundled_scenes import bundled_style
 from stylit_ref.errors import InputError
-from stylit_ref.files.disk.paths import check_writable, existing_file, is_there, real_path
+from stylit_ref.files.disk.paths import existing_file, is_there, real_path
 from stylit_ref.notes import note
 from stylit_ref.studio.engine.events import Event
 from stylit_ref.studio.engine.live import Live
 from stylit_ref.studio.engine.scene import Scene
 from stylit_ref.studio.painting.folder import PaintingFolder
 from stylit_ref.studio.painting.held import held
-from stylit_ref.studio.painting.paint_file import write_paint
 from stylit_ref.studio.scene_files.shelf import Shelf
 from stylit_ref.studio.server.access import Access
 from stylit_ref.studio.server.beginning import Beginning, begin
@@ -63,7 +61,7 @@ def serve_studio(options: argparse.Namespace, shelf: Shelf) -> None:
 
 
 def _beginning(options: argparse.Namespace, shelf: Shelf, folder: PaintingFolder) -> Beginning:
-    """What there is to paint on; a watched file that is not there is written."""
+    """What there is to paint on."""
     style, watched = options.style, options.watch
     if style and options.source is None and not is_there(style):
         style = bundled_style(style) or style
@@ -71,12 +69,7 @@ def _beginning(options: argparse.Namespace, shelf: Shelf, folder: PaintingFolder
         raise InputError(
             f"is {watched}, where the studio itself saves; watch another file", parameter="watch"
         )
-    beginning = begin(shelf, folder, style=style, watched=watched)
-    if watched and not Path(watched).exists():
-        check_writable(watched)
-        write_paint(Path(watched), beginning.saved.painting)
-        note(f"{watched}: is new, with the painting as it is; open it in your program")
-    return beginning
+    return begin(shelf, folder, style=style, watched=watched)
 
 
 def _serve(options: argparse.Namespace, beginning: Beginning, panels: list[Panel]) -> None:
@@ -99,8 +92,7 @@ def _serve(options: argparse.Namespace, beginning: Beginning, panels: list[Panel
     ) -> Live:
         return Live(scene, painting, tell=tell, threads=options.threads, seed=seed)
 
-    watched = Path(options.watch) if options.watch else None
-    serve(beginning, engine, door, access, panels=panels, watched=watched, listens=listens)
+    serve(beginning, engine, door, access, panels=panels, listens=listens)
 
 
 @contextmanager

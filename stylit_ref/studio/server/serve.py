@@ -4,7 +4,6 @@ import asyncio
 import socket
 from collections.abc import Callable, Sequence
 from contextlib import ExitStack
-from pathlib import Path
 
 import uvicorn
 from starlette.types import ASGIApp
@@ -29,7 +28,6 @@ def serve(
     access: Access,
     *,
     panels: Sequence[Panel] = (),
-    watched: Path | None = None,
     listens: Callable[[], None],
 ) -> None:
     """Serve it. The painting is saved whenever this ends, and however.
@@ -43,8 +41,6 @@ def serve(
     access : Access
         Of the door's port.
     panels : sequence of Panel
-    watched : Path, optional
-        A file whose changes become the painting.
     listens : callable
         Called once, when requests are answered.
 
@@ -63,8 +59,8 @@ def serve(
             ends.callback(desk.close)
             for panel in panels:
                 ends.callback(panel.close)
-            if watched:
-                ends.callback(_watching(watched, desk).close)
+            if beginning.watch:
+                ends.callback(_watching(beginning.watch, desk).close)
             await server.serve([door])
 
     asyncio.run(run())
@@ -99,6 +95,5 @@ def _config(app: ASGIApp) -> uvicorn.Config:
     )
 
 
-def _watching(file: Path, desk: Desk) -> Watcher:
-    watch = Watch(file, desk.size, is_known=True)
-    return Watcher(watch, desk.from_thread(lambda found: desk.watched(found, str(file))))
+def _watching(watch: Watch, desk: Desk) -> Watcher:
+    return Watcher(watch, desk.from_thread(lambda found: desk.watched(found, str(watch.file))))

@@ -31,19 +31,19 @@ def looks(watched, count=3):
 
 
 def test_what_is_known_is_not_told(file):
-    assert looks(Watch(file, SIZE, is_known=True)) == []
+    assert looks(Watch(file, SIZE)) == []
 
 
 def test_what_is_new_is_told_once_it_rests(file):
-    watched = Watch(file, SIZE, is_known=True)
+    watched = Watch(file, SIZE)
     write_image(file, painting(2))
     assert watched.look() is None  # it may be written still
     assert (watched.look() == 2).all()
     assert looks(watched) == []
 
 
-def test_a_half_written_file_is_waited_for(file):
-    watched = Watch(file, SIZE, is_known=True)
+def test_a_half_written_file_is_waited_for_without_a_word_of_its_decoder(file, capfd):
+    watched = Watch(file, SIZE)
     whole = np.random.default_rng(0).integers(0, 256, (*SIZE, 3), np.uint8)
     write_image(file.with_name("whole.png"), whole)
     content = file.with_name("whole.png").read_bytes()
@@ -53,10 +53,12 @@ def test_a_half_written_file_is_waited_for(file):
     file.write_bytes(content)
     (found,) = looks(watched)
     assert np.array_equal(found, whole)
+    said = capfd.readouterr()
+    assert said.out + said.err == ""
 
 
 def test_a_file_that_is_away_for_a_while_is_waited_for(file):
-    watched = Watch(file, SIZE, is_known=True)
+    watched = Watch(file, SIZE)
     content = file.read_bytes()
     file.unlink()
     assert looks(watched) == []
@@ -64,11 +66,19 @@ def test_a_file_that_is_away_for_a_while_is_waited_for(file):
     assert len(looks(watched)) == 1
 
 
-def test_what_stays_damaged_is_told_once(file):
-    watched = Watch(file, SIZE, is_known=True)
-    file.write_bytes(b"no picture")
+@pytest.mark.parametrize(
+    ("damage", "sentence"),
+    [
+        (lambda content: b"no picture", "cannot be read: Not a PNG"),
+        (lambda content: content[:40], "is a damaged PNG; save it again"),
+        (lambda content: content.replace(b"IDAT", b"IDAX"), "is a damaged PNG; save it again"),
+    ],
+)
+def test_what_stays_damaged_is_told_once(file, damage, sentence):
+    watched = Watch(file, SIZE)
+    file.write_bytes(damage(file.read_bytes()))
     assert looks(watched, PATIENCE) == []
-    with pytest.raises(InputError, match=r"style\.png: "):
+    with pytest.raises(InputError, match=rf"style\.png: {sentence}"):
         watched.look()
     assert looks(watched, PATIENCE) == []
     write_image(file, painting(3))
@@ -83,7 +93,7 @@ def test_what_stays_damaged_is_told_once(file):
     ],
 )
 def test_another_size_is_refused_and_the_last_one_stays(file, size, sentence):
-    watched = Watch(file, SIZE, is_known=True)
+    watched = Watch(file, SIZE)
     write_image(file, painting(2, size))
     assert watched.look() is None
     with pytest.raises(InputError, match=sentence):
@@ -95,7 +105,7 @@ def test_another_size_is_refused_and_the_last_one_stays(file, size, sentence):
 
 @pytest.mark.parametrize(("channels", "expected"), [(1, 7), (3, 7), (4, 255)])
 def test_grey_becomes_colours_and_transparency_paper(file, channels, expected):
-    watched = Watch(file, SIZE, is_known=True)
+    watched = Watch(file, SIZE)
     image = painting(7, channels=channels)
     if channels == 4:
         image[...] = 0
@@ -107,7 +117,7 @@ def test_grey_becomes_colours_and_transparency_paper(file, channels, expected):
 
 
 def test_a_write_of_the_same_length_and_second_is_seen(file):
-    watched = Watch(file, SIZE, is_known=True)
+    watched = Watch(file, SIZE)
     state = file.stat()
     write_image(file, painting(2))
     os.utime(file, ns=(state.st_atime_ns, state.st_mtime_ns))  # as coarse clocks have it
@@ -121,7 +131,7 @@ def test_a_thread_looks(file):
         told.append(news)
         found.set()
 
-    watcher = Watcher(Watch(file, SIZE, is_known=True), tell, pause=0.01)
+    watcher = Watcher(Watch(file, SIZE), tell, pause=0.01)
     write_image(file, painting(5))
     assert found.wait(10)
     watcher.close()
@@ -142,7 +152,7 @@ def test_a_failure_that_nobody_foresaw_is_told_once_and_the_thread_looks_on(
         raise RuntimeError("nobody foresaw it")
 
     monkeypatch.setattr(watch, "read_paint", fail)
-    watcher = Watcher(Watch(file, SIZE, is_known=True), tell, pause=0.01)
+    watcher = Watcher(Watch(file, SIZE), tell, pause=0.01)
     write_image(file, painting(5))
     assert found.wait(10)
     monkeypatch.undo()

@@ -24,8 +24,10 @@ from stylit_ref import InputError, read_image, write_image
 from stylit_ref.studio.engine.events import Compiling, Problem, Working
 from stylit_ref.studio.painting.easel import LEAP
 from stylit_ref.studio.painting.folder import PaintingFolder
+from stylit_ref.studio.painting.paint_file import read_paint
 from stylit_ref.studio.scene_files.offer import offer_of_files
 from stylit_ref.studio.scene_files.shelf import Shelf
+from stylit_ref.studio.server import beginning as beginning_module
 from stylit_ref.studio.server.beginning import begin
 from stylit_ref.studio.server.protocol import parse_paint
 
@@ -408,6 +410,22 @@ def test_a_watched_file_that_is_another_one_is_saved_at_once(tmp_path):
     assert np.array_equal(read_image(tmp_path / "painting" / "style.png"), painting)
     kept = tmp_path / "painting" / "replaced"
     assert [file.name for file in kept.iterdir()] == ["style_001.png"]
+
+
+def test_a_watched_file_that_is_saved_while_the_studio_starts_is_seen(tmp_path, monkeypatch):
+    before, after = (np.full((*SIZE, 3), value, np.uint8) for value in (6, 7))
+    write_image(tmp_path / "krita.png", before)
+
+    def read_and_save(file, size):
+        painting = read_paint(file, size)
+        write_image(file, after)
+        return painting
+
+    monkeypatch.setattr(beginning_module, "read_paint", read_and_save)
+    beginning = small_beginning(tmp_path, watched=tmp_path / "krita.png")
+    assert np.array_equal(beginning.saved.painting, before)
+    assert beginning.watch.look() is None  # it may be written still
+    assert np.array_equal(beginning.watch.look(), after)
 
 
 @in_loop
