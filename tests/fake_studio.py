@@ -119,7 +119,8 @@ class FakeStudio:
         }  # fmt: skip
         still = golem | {"name": "teapot", "title": "Teapot", "steps": 1, "layers": []}
         return {
-            "say": "welcome", "version": 1, "role": role, "scenes": [golem, still],
+            "say": "welcome", "version": 1, "role": role, "page": "a page",
+            "scenes": [golem, still],
             "painting": {
                 "width": width, "height": height, "name": self.name, "serial": self.serial,
             },
@@ -235,6 +236,7 @@ class FakeStudio:
 
     async def _scan(self, request):
         self.photograph = await request.body()
+        assert request.headers["stylit-page"] == "a page"
         text = "The marks of the sheet were not found. Drag the corners onto them."
         return JSONResponse({"text": text, "corners": None, "width": 40, "height": 30})
 

@@ -1479,10 +1479,12 @@
   // src/refusals.ts
   var Refusal = class extends Error {
   };
+  var page = "";
+  var namePage = (name) => void (page = name);
   async function answerTo(address, request) {
     let response;
     try {
-      response = await fetch(address, request);
+      response = await fetch(address, { ...request, headers: { ...request?.headers, "Stylit-Page": page } });
     } catch {
       throw new Refusal("The studio does not answer. Try again when the connection is back.");
     }
@@ -1760,6 +1762,7 @@
       const { notices, sender, result, texture } = this.parts;
       if (welcome.version !== VERSION) return notices.while("line", { text: "The studio is of another version than this page. Reload the page." });
       notices.while("line", null);
+      namePage(welcome.page);
       if (this.folder !== welcome.painting.name) this.painting = null;
       this.folder = welcome.painting.name;
       const own = this.painting;
@@ -1818,6 +1821,7 @@
       this.letPaint();
       sender.allow(false);
       document.body.classList.toggle("reads", isReader);
+      allow("fieldset.brushes", !isReader);
       this.letAsk(!isReader);
       const text = sender.isBehind ? "Another page has the brush. This one holds strokes that the studio does not have: take over to keep them." : "Another page has the brush; this one looks on.";
       const button = { text: "Take over", press: () => void connection.ask({ do: "take_over" }) };
@@ -1825,7 +1829,7 @@
     }
     /** Whether what only a painter may ask can be asked: nothing while the studio does not answer. */
     letAsk(may) {
-      for (const set of document.querySelectorAll("fieldset.painters")) set.disabled = !may;
+      allow("fieldset.painters", may);
     }
     /** A painter may paint, but for the time until another painting is there. */
     letPaint() {
@@ -1870,6 +1874,9 @@
       sender.forget(frame.serial);
     }
   };
+  function allow(fieldsets, may) {
+    for (const set of document.querySelectorAll(fieldsets)) set.disabled = !may;
+  }
   function inkOf({ width, height, rgb }) {
     const pixels = new Uint32Array(width * height);
     fromRgb(rgb, pixels);

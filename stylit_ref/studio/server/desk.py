@@ -28,6 +28,8 @@ from stylit_ref.studio.server.welcome import panels_of_scene, welcome
 Engine = Callable[[Scene, NDArray[np.uint8], Callable[[Event], None], int], Live]
 """Begins one: of a scene, a painting, where events go, and a seed."""
 
+LOOKS_ON = "This page looks on. Take over to paint here."
+
 READERS_WAIT = 0.1
 """Seconds between two paintings that readers are sent."""
 
@@ -98,6 +100,11 @@ class Desk:
     def knows(self, visitor: Visitor) -> bool:
         """Whether a page has said hello."""
         return visitor in self._visitors
+
+    def is_painter(self, page: str) -> bool:
+        """Whether the page of this name paints."""
+        painter = self._visitors.painter
+        return painter is not None and painter.name == page
 
     def join(self, visitor: Visitor) -> None:
         """Welcome a page: it paints if no other does."""
@@ -282,8 +289,9 @@ class Desk:
 
     def _welcome(self, visitor: Visitor) -> None:
         """Send a page all that it shows, its painting included."""
-        role, panels, notes = self._visitors.role(visitor), self._panels, self._notes
-        told = welcome(self._easel, self._shelf, self._scene, role, panels, notes)
+        panels, notes = self._panels, self._notes
+        told = welcome(self._easel, self._shelf, self._scene, panels, notes)
+        told |= {"role": self._visitors.role(visitor), "page": visitor.name}
         visitor.outbox.say(said("welcome", told))
         visitor.outbox.show("beginning", painting_bytes(self._easel.beginning, 0))
         if self._easel.serial:
@@ -296,8 +304,7 @@ class Desk:
         """Whether a page paints; one that does not is told so."""
         may = visitor is self._visitors.painter
         if not may:
-            text = "This page looks on. Take over to paint here."
-            visitor.outbox.say(said("problem", {"text": text}))
+            visitor.outbox.say(said("problem", {"text": LOOKS_ON}))
         return may
 
     def _show_readers_soon(self) -> None:

@@ -60,6 +60,8 @@ export interface Welcome extends Chosen {
   say: "welcome";
   version: number;
   role: Role;
+  /** By which the server knows this page. */
+  page: string;
   painting: { width: number; height: number; name: string; serial: number };
   scenes: SceneSaid[];
   seed?: number;

@@ -12,7 +12,7 @@ import type { Parameters } from "./parameters.js";
 import { fromRgb } from "./pixels.js";
 import type { Progress } from "./progress.js";
 import { VERSION, type Chosen, type Frame, type Role, type Said, type SceneSaid, type Value, type Welcome, type Which } from "./protocol.js";
-import { sentenceOf } from "./refusals.js";
+import { namePage, sentenceOf } from "./refusals.js";
 import type { Result } from "./result.js";
 import type { Sender } from "./sender.js";
 import type { Steps } from "./steps.js";
@@ -132,6 +132,7 @@ export class Session implements Heard {
     const { notices, sender, result, texture } = this.parts;
     if (welcome.version !== VERSION) return notices.while("line", { text: "The studio is of another version than this page. Reload the page." });
     notices.while("line", null);
+    namePage(welcome.page);
     // The studio was started anew on another folder, whose painting this one must not replace.
     if (this.folder !== welcome.painting.name) this.painting = null;
     this.folder = welcome.painting.name;
@@ -195,6 +196,7 @@ export class Session implements Heard {
     this.letPaint();
     sender.allow(false); // until the painting has come that a welcome tells of
     document.body.classList.toggle("reads", isReader);
+    allow("fieldset.brushes", !isReader);
     this.letAsk(!isReader);
     const text = sender.isBehind
       ? "Another page has the brush. This one holds strokes that the studio does not have: take over to keep them."
@@ -205,7 +207,7 @@ export class Session implements Heard {
 
   /** Whether what only a painter may ask can be asked: nothing while the studio does not answer. */
   private letAsk(may: boolean): void {
-    for (const set of document.querySelectorAll<HTMLFieldSetElement>("fieldset.painters")) set.disabled = !may;
+    allow("fieldset.painters", may);
   }
 
   /** A painter may paint, but for the time until another painting is there. */
@@ -253,6 +255,10 @@ export class Session implements Heard {
     if (frame.serial !== sender.serial) artist.forget(); // undo would bring back what others painted over
     sender.forget(frame.serial);
   }
+}
+
+function allow(fieldsets: string, may: boolean): void {
+  for (const set of document.querySelectorAll<HTMLFieldSetElement>(fieldsets)) set.disabled = !may;
 }
 
 function inkOf({ width, height, rgb }: Frame) {

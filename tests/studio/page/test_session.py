@@ -29,7 +29,9 @@ def test_a_second_tab_looks_on_until_it_takes_over(open_page, studio):
     second.until(f"{LINE}.startsWith('Another page has the brush; this one looks on.')")
     second.stroke((20, 20), (60, 20))
     assert np.array_equal(second.pixels(), studio.beginning)
-    assert second.page.locator("#finish").is_disabled()
+    for name in ("finish", "colour", "size"):
+        assert second.page.locator(f"#{name}").is_disabled()
+    assert second.page.get_by_role("button", name="Hand").is_enabled()
 
     first.stroke((40, 60), (100, 60))
     second.until("window.stylitStudio.sender.serial", first.sent())
@@ -38,6 +40,7 @@ def test_a_second_tab_looks_on_until_it_takes_over(open_page, studio):
     second.page.get_by_role("button", name="Take over").click()
     first.until(f"{LINE}.startsWith('Another page has the brush')")
     second.until(LINE, "")
+    assert second.page.locator("#size").is_enabled()
     second.stroke((20, 20), (60, 20))
     second.until("window.stylitStudio.sender.isBehind", False)
     first.until(
