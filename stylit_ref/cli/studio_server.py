@@ -5,7 +5,8 @@ import logging
 import sys
 import webbrowser
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
+from functools import partial
 from threading import Thread
 
 import numpy as np
@@ -27,6 +28,7 @@ from stylit_ref.studio.server.door import USUAL_PORT, open_door, port_of
 from stylit_ref.studio.server.panel import Panel
 from stylit_ref.studio.server.serve import serve
 from stylit_ref.studio.server.views_panel import views_panel
+from stylit_ref.studio.server.way_in import way_in
 
 _PORTS = range(1024, 65536)
 """Those below are the system's."""
@@ -78,21 +80,25 @@ def _serve(options: argparse.Namespace, beginning: Beginning, panels: list[Panel
     if options.port is None and access.port != USUAL_PORT:
         note(f"port {USUAL_PORT} is taken, so the studio is at {access.port}")
 
-    def listens() -> None:
+    def listens(browsed: str | None) -> None:
         print(f"The studio is at {access.address}", flush=True)
         if not options.quiet:
             for text in beginning.notes:
                 print(text, file=sys.stderr)
             print("Ctrl-C saves the painting and ends.", file=sys.stderr)
-        if not options.no_browser:  # one in the terminal returns when it is left
-            Thread(target=webbrowser.open, args=(access.address,), daemon=True).start()
+        if browsed:  # a browser in the terminal returns when it is left
+            Thread(target=webbrowser.open, args=(browsed,), daemon=True).start()
 
     def engine(
         scene: Scene, painting: NDArray[np.uint8], tell: Callable[[Event], None], seed: int
     ) -> Live:
         return Live(scene, painting, tell=tell, threads=options.threads, seed=seed)
 
-    serve(beginning, engine, door, access, panels=panels, listens=listens)
+    folder = beginning.folder.folder
+    with nullcontext() if options.no_browser else way_in(folder, access.address) as browsed:
+        serve(
+            beginning, engine, door, access, panels=panels, listens=partial(listens, browsed)
+        )  # fmt: skip
 
 
 @contextmanager

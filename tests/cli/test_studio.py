@@ -46,13 +46,14 @@ def own(*more, targets=("robot",)):
     return studio(*targets, "--source", "sphere", "--port", "0", *more)
 
 
-def test_the_address_is_printed_and_opened(served, capsys):
+def test_the_address_is_printed_and_a_file_opened_that_leads_there(served, tmp_path, capsys):
     assert own() == 130
     said = capsys.readouterr()
     address = served["access"].address
     assert said.out == f"The studio is at {address}\n"
     assert said.err.endswith("stylit-ref: interrupted; nothing was painted\n")
-    assert served["opened"] == [address]
+    assert served["opened"] == [(tmp_path / "painting/open_studio.html").as_uri()]
+    assert not (tmp_path / "painting").exists()
 
 
 def test_no_browser_and_quiet(served, capsys):

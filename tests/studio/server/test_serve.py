@@ -5,6 +5,7 @@ import json
 import os
 import signal
 import socket
+import stat
 import threading
 
 import pytest
@@ -19,6 +20,7 @@ from stylit_ref.studio.server.door import USUAL_PORT, open_door, port_of
 from stylit_ref.studio.server.panel import Panel
 from stylit_ref.studio.server.protocol import LARGEST_MESSAGE
 from stylit_ref.studio.server.serve import serve
+from stylit_ref.studio.server.way_in import way_in
 
 
 @pytest.fixture
@@ -142,3 +144,16 @@ def test_a_port_that_is_taken_is_refused_by_name_and_passed_over_without():
     with usual, open_door(None) as door:
         assert USUAL_PORT < port_of(door) < USUAL_PORT + 20
         assert door.getsockname()[0] == "127.0.0.1"
+
+
+def test_the_way_in_is_for_its_owner_alone_and_goes_in_the_end(tmp_path):
+    file = tmp_path / "open_studio.html"
+    file.write_text("of a studio that was killed")
+    file.chmod(0o644)
+    address = "http://127.0.0.1:8517/?token=abc"
+    with way_in(tmp_path, address) as own:
+        assert own == file.as_uri()
+        assert f"url={address}" in file.read_text()
+        if os.name == "posix":
+            assert stat.S_IMODE(file.stat().st_mode) == 0o600
+    assert not file.exists()
