@@ -195,7 +195,9 @@ class FakeStudio:
             await _send(socket, self.picture("coherent", 255 - self.painting, 42.0))
             await _send(socket, {"say": "saved", "text": "Saved"})
         elif asked["do"] == "look":
-            await _send(socket, self.picture("look", np.full((6, 8, 3), 77, np.uint8)))
+            look = np.full((6, 8, 3), 77, np.uint8)
+            number = WHICH.index("look")
+            await _send(socket, _frame(1, number, look, self.serial, 1.5, asked["what"]))
         elif asked["do"] == "step":
             await _send(socket, self.picture("step", 255 - self.painting, 3.0))
             state = {"level": 2, "iteration": 1, "done": False, "possible": ["half", "blend"]}
@@ -252,10 +254,10 @@ async def _send(socket, what):
         await socket.send_json(what)
 
 
-def _frame(kind, which, image, serial, milliseconds):
+def _frame(kind, which, image, serial, milliseconds, of=""):
     height, width = image.shape[:2]
-    head = struct.pack("<BBHHHIf", kind, which, width, height, 0, serial, milliseconds)
-    return head + np.ascontiguousarray(image).tobytes()
+    head = struct.pack("<BBHHHIf", kind, which, width, height, len(of), serial, milliseconds)
+    return head + of.encode() + np.ascontiguousarray(image).tobytes()
 
 
 def _png(image):

@@ -527,10 +527,13 @@
     const head = new DataView(message);
     const [width, height] = [head.getUint16(2, true), head.getUint16(4, true)];
     const which = RESULTS[head.getUint8(1)];
-    const rgb = new Uint8Array(message, FRAME_HEAD);
+    const begins = FRAME_HEAD + head.getUint16(6, true);
+    if (message.byteLength < begins) return null;
+    const of = new TextDecoder().decode(message.slice(FRAME_HEAD, begins));
+    const rgb = new Uint8Array(message, begins);
     if (!which || rgb.length !== 3 * width * height) return null;
     const [serial, milliseconds] = [head.getUint32(8, true), head.getFloat32(12, true)];
-    return { isPainting: head.getUint8(0) === 2, which, width, height, serial, milliseconds, rgb };
+    return { isPainting: head.getUint8(0) === 2, which, width, height, serial, milliseconds, of, rgb };
   }
 
   // src/connection.ts
@@ -977,10 +980,13 @@
     choice;
     canvas;
     screen;
+    caption;
     constructor(side, chosen) {
       this.choice = byId(`${side}-look-choice`);
       this.canvas = byId(`${side}-look`);
       this.screen = new Screen(this.canvas);
+      this.caption = byId(`${side}-looked`);
+      byId(`${side}-look-away`).onclick = () => this.leave();
       const strength = byId(`${side}-look-strength`);
       this.choice.onchange = () => chosen(this);
       strength.oninput = () => this.canvas.style.opacity = String(strength.valueAsNumber / 100);
@@ -998,10 +1004,10 @@
       );
       this.choice.value = what;
       if (!this.choice.value) this.choice.value = "";
-      this.canvas.hidden = !this.what;
+      if (!this.what) this.hide();
     }
     hide() {
-      this.canvas.hidden = true;
+      this.canvas.hidden = this.caption.hidden = true;
     }
     leave() {
       this.choice.value = "";
@@ -1009,15 +1015,16 @@
     }
     draw({ width, height, rgb }) {
       this.screen.show(width, height, rgb);
-      this.canvas.hidden = false;
+      this.caption.firstElementChild.textContent = this.choice.selectedOptions[0].text;
+      this.canvas.hidden = this.caption.hidden = false;
     }
   };
   var Looks = class {
     connection;
     looks;
     waiting = /* @__PURE__ */ new Set();
-    /** The server answers one look at a time. */
-    asked = null;
+    /** What the server has not answered yet; it is not asked again before. */
+    asked = /* @__PURE__ */ new Set();
     constructor(connection) {
       this.connection = connection;
       this.looks = ["painting", "picture"].map((side) => new Look(side, (look) => this.want(look)));
@@ -1034,7 +1041,7 @@
         "Guides of B": named("B"),
         "What lies between": { nnf: "Matches (NNF)", ...Object.fromEntries(texts) }
       });
-      this.asked = null;
+      this.asked.clear();
       this.waiting.clear();
       this.looks.forEach((look) => this.want(look));
     }
@@ -1047,22 +1054,26 @@
       this.refresh((what) => what.startsWith("B:"));
     }
     answer(frame) {
-      const look = this.asked;
-      this.asked = null;
-      if (look?.what) look.draw(frame);
+      this.asked.delete(frame.of);
+      this.looksAt(frame.of)?.draw(frame);
       this.next();
     }
-    /** There is no answer to what was asked. */
-    fail() {
-      this.asked?.hide();
-      this.asked = null;
+    /** There is no answer: to what was asked, or nobody knows to what. */
+    fail(of) {
+      if (of) {
+        this.asked.delete(of);
+        this.looksAt(of)?.hide();
+      } else this.asked.clear();
       this.next();
     }
     /** A page that looks on cannot ask. */
     leave() {
       this.looks.forEach((look) => look.leave());
       this.waiting.clear();
-      this.asked = null;
+      this.asked.clear();
+    }
+    looksAt(what) {
+      return this.looks.find((look) => look.what === what);
     }
     refresh(isMeant) {
       this.looks.filter(({ what }) => what && isMeant(what)).forEach((look) => this.want(look));
@@ -1073,22 +1084,28 @@
       this.next();
     }
     next() {
-      if (this.asked) return;
-      const [look] = this.waiting;
-      if (!look || !this.connection.ask({ do: "look", what: look.what })) return;
-      this.waiting.delete(look);
-      this.asked = look;
+      for (const look of this.waiting) {
+        const { what } = look;
+        if (this.asked.has(what)) continue;
+        if (!this.connection.ask({ do: "look", what })) return;
+        this.waiting.delete(look);
+        this.asked.add(what);
+      }
     }
   };
 
   // src/notices.ts
+  var LONG_ENOUGH = 2e4;
   var Notices = class {
     said = byId("said");
     problems = byId("problems");
+    timer = 0;
     lasting = /* @__PURE__ */ new Map();
-    /** In the status line, heard by screen readers when they are done. */
+    /** In the status line for a while, heard by screen readers when they are done. */
     say(text) {
       this.said.textContent = text;
+      clearTimeout(this.timer);
+      this.timer = setTimeout(() => this.said.textContent = "", LONG_ENOUGH);
     }
     /** Stays until it is put away, or the same is said again. */
     problem(text) {
@@ -1406,21 +1423,28 @@
     screen = new Screen(byId("picture"));
     latency;
     newest = null;
+    /** The last that is no step, to go back to. */
+    live = null;
     serial = 0;
     askFrame;
     constructor(latency) {
       this.latency = latency;
       this.askFrame = oncePerFrame(() => this.draw());
+      byId("back").onclick = () => {
+        this.newest = this.live;
+        this.askFrame();
+      };
     }
     /** Begin again, as the server counts serials from elsewhere. */
     forget() {
       this.serial = 0;
-      this.newest = null;
+      this.newest = this.live = null;
     }
     show(frame) {
       if (frame.serial < this.serial) return;
       this.serial = frame.serial;
       this.newest = frame;
+      if (frame.which !== "step") this.live = frame;
       this.askFrame();
     }
     draw() {
@@ -1431,6 +1455,7 @@
       this.screen.show(width, height, newest.rgb);
       this.which = which;
       byId("empty").hidden = true;
+      byId("back").hidden = which !== "step" || !this.live;
       byId("which").textContent = which;
       byId("which").dataset.which = which;
       byId("took").textContent = timeOf(milliseconds);
@@ -1713,7 +1738,7 @@
         case "compiling":
           return progress.compiling(said.text, said.done, said.total);
         case "problem":
-          this.parts.looks.fail();
+          this.parts.looks.fail(said.of);
           exporting.fail(said.text);
           return notices.problem(said.text);
         case "saved":
@@ -1760,6 +1785,7 @@
     }
     welcome(welcome) {
       const { notices, sender, result, texture } = this.parts;
+      const isFirst = this.role === null;
       if (welcome.version !== VERSION) return notices.while("line", { text: "The studio is of another version than this page. Reload the page." });
       notices.while("line", null);
       namePage(welcome.page);
@@ -1784,7 +1810,7 @@
       byId("views-panel").hidden = !welcome.panels.includes("views");
       if (welcome.panels.includes("texture") && byId("texture-panel").hidden)
         texture.open().catch((error) => notices.problem(sentenceOf(error)));
-      if (welcome.notes.length) notices.say(welcome.notes.join(" "));
+      if (welcome.notes.length && (isFirst || this.wasLost)) notices.say(welcome.notes.join(" "));
       else if (this.wasLost) notices.say(isAhead ? "Connected again; what you painted meanwhile is sent." : "Connected again.");
       this.wasLost = false;
     }

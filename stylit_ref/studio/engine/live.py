@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
 from stylit_ref.parameters import Integer
-from stylit_ref.studio.engine.events import Event
+from stylit_ref.studio.engine.events import Event, Problem
 from stylit_ref.studio.engine.export import export
 from stylit_ref.studio.engine.follower import Follower
 from stylit_ref.studio.engine.looking import picture_of
@@ -226,14 +226,15 @@ class Live:
         """
         self._worker.do(lambda: self._look(what))
 
-    def export(self, folder: Path) -> None:
+    def export(self, new_folder: Callable[[], Path]) -> None:
         """Write the picture that was shown last, and how it can be made again.
 
         Parameters
         ----------
-        folder : Path
+        new_folder : callable
+            Says where, once there is a picture. The folder is made.
         """
-        self._worker.do(lambda: self._worker.say(export(self._worker.shown(), folder)))
+        self._worker.do(lambda: self._worker.say(export(self._worker.shown(), new_folder())))
 
     def close(self) -> None:
         """End the thread and the process; what is wished for is given up."""
@@ -263,5 +264,9 @@ class Live:
 
     def _look(self, what):
         start = perf_counter()
-        picture = picture_of(what, self._follower, self._worker.shown)
-        self._worker.show("look", picture, start)
+        try:
+            picture = picture_of(what, self._follower, self._worker.shown)
+        except InputError as error:
+            self._worker.say(Problem(str(error), of=what))
+        else:
+            self._worker.show("look", picture, start, of=what)

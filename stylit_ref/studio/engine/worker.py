@@ -115,10 +115,10 @@ class Worker:
         if not self._is_closed:
             self._tell(event)
 
-    def show(self, which: Which, image: NDArray[np.uint8], start: float) -> None:
+    def show(self, which: Which, image: NDArray[np.uint8], start: float, of: str = "") -> None:
         """Tell a picture that was begun at ``start``, in seconds of ``perf_counter``."""
         milliseconds = 1000 * (perf_counter() - start)
-        self.say(Picture(which, image, self._follower.serial, milliseconds))
+        self.say(Picture(which, image, self._follower.serial, milliseconds, of))
 
     def begin(self, which: Literal["fast", "full"]) -> None:
         """Begin a picture in the background, unless it would be out of date already."""

@@ -194,7 +194,7 @@ class Desk:
             case protocol.Look(what):
                 live.look(what)
             case protocol.Export():
-                live.export(self._folder.new_export())
+                live.export(self._folder.new_export)
             case protocol.ChooseScene(name):
                 await self._open(name, setting.layers.get(name, ()))
             case protocol.Layers(names):

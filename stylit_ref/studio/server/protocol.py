@@ -1,6 +1,7 @@
 """What page and server say to each other through the socket, version 1.
 
-Paint and pictures travel as bytes, little-endian: a header and rows of RGB. All else is JSON.
+Paint and pictures travel as bytes, little-endian: a header and rows of RGB; a look has what was
+asked for between them. All else is JSON.
 """
 
 import json
@@ -254,7 +255,9 @@ def said(word: str, values: Mapping[str, Any] | None = None) -> str:
     return json.dumps({"say": word, **(values or {})}, separators=(",", ":"), allow_nan=False)
 
 
-def picture_bytes(which: str, image: NDArray[np.uint8], serial: int, milliseconds: float) -> bytes:
+def picture_bytes(
+    which: str, image: NDArray[np.uint8], serial: int, milliseconds: float, of: str = ""
+) -> bytes:
     """A picture for the page.
 
     Parameters
@@ -266,8 +269,10 @@ def picture_bytes(which: str, image: NDArray[np.uint8], serial: int, millisecond
         That of the last paint in it.
     milliseconds : float
         How long it took.
+    of : str
+        Of a look: what was asked for.
     """
-    return _image_bytes(_PICTURE_KIND, PICTURES.index(which), image, serial, milliseconds)
+    return _image_bytes(_PICTURE_KIND, PICTURES.index(which), image, serial, milliseconds, of)
 
 
 def painting_bytes(painting: NDArray[np.uint8], serial: int) -> bytes:
@@ -275,7 +280,8 @@ def painting_bytes(painting: NDArray[np.uint8], serial: int) -> bytes:
     return _image_bytes(_PAINTING_KIND, 0, painting, serial, 0.0)
 
 
-def _image_bytes(kind, which, image, serial, milliseconds):
+def _image_bytes(kind, which, image, serial, milliseconds, of=""):
     height, width = image.shape[:2]
-    head = _IMAGE.pack(kind, which, width, height, 0, serial, milliseconds)
-    return head + np.ascontiguousarray(image).tobytes()
+    name = of.encode("utf-8", "replace")
+    head = _IMAGE.pack(kind, which, width, height, len(name), serial, milliseconds)
+    return head + name + np.ascontiguousarray(image).tobytes()

@@ -16,6 +16,8 @@ export interface Frame {
   /** Of the last rectangle of the painting that it knows. */
   serial: number;
   milliseconds: number;
+  /** Of a look: what was asked for. */
+  of: string;
   rgb: Uint8Array;
 }
 
@@ -79,7 +81,7 @@ export type Said =
   | { say: "role"; role: Role }
   | Working
   | { say: "compiling"; text: string; done: number; total: number }
-  | { say: "problem"; text: string }
+  | { say: "problem"; text: string; of?: string }
   | { say: "saved"; text: string }
   | Stepped
   | Exported
@@ -120,8 +122,11 @@ export function readFrame(message: ArrayBuffer): Frame | null {
   const head = new DataView(message);
   const [width, height] = [head.getUint16(2, true), head.getUint16(4, true)];
   const which = RESULTS[head.getUint8(1)];
-  const rgb = new Uint8Array(message, FRAME_HEAD);
+  const begins = FRAME_HEAD + head.getUint16(6, true);
+  if (message.byteLength < begins) return null;
+  const of = new TextDecoder().decode(message.slice(FRAME_HEAD, begins));
+  const rgb = new Uint8Array(message, begins);
   if (!which || rgb.length !== 3 * width * height) return null;
   const [serial, milliseconds] = [head.getUint32(8, true), head.getFloat32(12, true)];
-  return { isPainting: head.getUint8(0) === 2, which, width, height, serial, milliseconds, rgb };
+  return { isPainting: head.getUint8(0) === 2, which, width, height, serial, milliseconds, of, rgb };
 }

@@ -81,7 +81,7 @@ export class Session implements Heard {
         return said.state === "failed" ? notices.problem(said.text) : undefined;
       case "compiling": return progress.compiling(said.text, said.done, said.total);
       case "problem":
-        this.parts.looks.fail();
+        this.parts.looks.fail(said.of);
         exporting.fail(said.text);
         return notices.problem(said.text);
       case "saved": return void (byId("saved").textContent = said.text);
@@ -130,6 +130,7 @@ export class Session implements Heard {
 
   private welcome(welcome: Welcome): void {
     const { notices, sender, result, texture } = this.parts;
+    const isFirst = this.role === null;
     if (welcome.version !== VERSION) return notices.while("line", { text: "The studio is of another version than this page. Reload the page." });
     notices.while("line", null);
     namePage(welcome.page);
@@ -155,7 +156,7 @@ export class Session implements Heard {
     byId("views-panel").hidden = !welcome.panels.includes("views");
     if (welcome.panels.includes("texture") && byId("texture-panel").hidden)
       texture.open().catch((error: unknown) => notices.problem(sentenceOf(error)));
-    if (welcome.notes.length) notices.say(welcome.notes.join(" "));
+    if (welcome.notes.length && (isFirst || this.wasLost)) notices.say(welcome.notes.join(" "));
     else if (this.wasLost) notices.say(isAhead ? "Connected again; what you painted meanwhile is sent." : "Connected again.");
     this.wasLost = false;
   }

@@ -268,7 +268,7 @@ def test_steps_restart_when_the_scene_changes(begun, ears):
 
 
 def test_an_export_says_its_files(begun, ears, tmp_path):
-    begun.export(tmp_path / "new")
+    begun.export(lambda: tmp_path / "new")
     files = ears.next(Exported).files
     assert all((tmp_path / "new" / file).is_file() for file in files)
 
@@ -279,7 +279,7 @@ def test_an_export_says_its_files(begun, ears, tmp_path):
 )
 def test_there_is_much_to_look_at(begun, ears, what):
     begun.look(what)
-    image = ears.picture("look").image
+    image = ears.next(Picture, which="look", of=what).image
     assert image.dtype == np.uint8
     assert image.shape[2] == 3
     assert image.any()
@@ -296,7 +296,7 @@ def test_there_is_much_to_look_at(begun, ears, what):
 )
 def test_what_cannot_be_looked_at_is_told_and_life_goes_on(begun, ears, what, sentence):
     begun.look(what)
-    assert sentence in ears.next(Problem).text
+    assert sentence in ears.next(Problem, of=what).text
     begun.paint(3, 4, STROKE, 1)
     ears.picture("replay")
 

@@ -136,3 +136,8 @@ def test_what_the_server_says_is_shown(open_page, studio):
     assert problem.locator("span").text_content() == "Out of memory."
     problem.get_by_role("button").click()
     assert problem.count() == 0
+    page.page.clock.install()
+    studio.say({"say": "notes", "texts": ["It is read, and passes."]})
+    page.until("document.getElementById('said').textContent", "It is read, and passes.")
+    page.page.clock.fast_forward(20_000)
+    assert page.text("said") == ""
