@@ -10,7 +10,6 @@ from small_studio import Ears, make_painting, make_scene
 
 from stylit_ref import stylize
 from stylit_ref.errors import InputError
-from stylit_ref.studio.engine import background as background_module
 from stylit_ref.studio.engine.background import Background, Wish
 from stylit_ref.studio.engine.events import Picture, Working
 from stylit_ref.studio.engine.parameters import Settings
@@ -120,20 +119,19 @@ def test_a_scene_that_cannot_be_read_is_told(background, heard):
     assert failed.text == "golem/FULL.png: no such file"
 
 
-def test_a_failure_that_nobody_foresaw_is_told_and_the_thread_goes_on(
-    background, heard, monkeypatch, caplog
-):
-    def fail(*arguments):
+def test_a_failure_that_nobody_foresaw_is_told_and_the_thread_goes_on(monkeypatch, caplog):
+    def fail(background):
         raise RuntimeError("nobody foresaw it")
 
-    monkeypatch.setattr(background_module, "_shown", fail)
-    background.begin(wish())
-    failed = heard.next(Working, state="failed")
-    assert failed.text == "something went wrong; the terminal says what"
+    monkeypatch.setattr(Background, "_start", fail)
+    heard = Ears()
+    background = Background(heard, [].append)
+    for _ in range(2):
+        background.begin(wish())
+        failed = heard.next(Working, state="failed")
+        assert failed.text == "something went wrong; the terminal says what"
+    background.close()
     assert "nobody foresaw it" in caplog.text
-    monkeypatch.undo()
-    background.begin(wish(serial=5))
-    assert heard.picture("fast").serial == 5
 
 
 def test_it_ends_with_its_owner():
