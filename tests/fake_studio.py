@@ -119,7 +119,8 @@ class FakeStudio:
         }  # fmt: skip
         still = golem | {"name": "teapot", "title": "Teapot", "steps": 1, "layers": []}
         return {
-            "say": "welcome", "version": 2, "role": role, "scenes": [golem, still],
+            "say": "welcome", "version": 2, "role": role, "page": "a page",
+            "scenes": [golem, still],
             "painting": {
                 "width": width, "height": height, "name": self.name, "serial": self.serial,
             },
@@ -194,7 +195,9 @@ class FakeStudio:
             await _send(socket, self.picture("coherent", 255 - self.painting, 42.0))
             await _send(socket, {"say": "saved", "text": "Saved"})
         elif asked["do"] == "look":
-            await _send(socket, self.picture("look", np.full((6, 8, 3), 77, np.uint8)))
+            look = np.full((6, 8, 3), 77, np.uint8)
+            number = WHICH.index("look")
+            await _send(socket, _frame(1, number, look, self.serial, 1.5, asked["what"]))
         elif asked["do"] == "step":
             await _send(socket, self.picture("step", 255 - self.painting, 3.0))
             state = {"level": 2, "iteration": 1, "done": False, "possible": ["half", "blend"]}
@@ -235,6 +238,7 @@ class FakeStudio:
 
     async def _scan(self, request):
         self.photograph = await request.body()
+        assert request.headers["stylit-page"] == "a page"
         text = "The marks of the sheet were not found. Drag the corners onto them."
         return JSONResponse({"text": text, "corners": None, "width": 40, "height": 30})
 
@@ -250,10 +254,10 @@ async def _send(socket, what):
         await socket.send_json(what)
 
 
-def _frame(kind, which, image, serial, milliseconds):
+def _frame(kind, which, image, serial, milliseconds, of=""):
     height, width = image.shape[:2]
-    head = struct.pack("<BBHHHIf", kind, which, width, height, 0, serial, milliseconds)
-    return head + np.ascontiguousarray(image).tobytes()
+    head = struct.pack("<BBHHHIf", kind, which, width, height, len(of), serial, milliseconds)
+    return head + of.encode() + np.ascontiguousarray(image).tobytes()
 
 
 def _png(image):

@@ -5,8 +5,8 @@ import logging
 import sys
 import webbrowser
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
-from pathlib import Path
+from contextlib import contextmanager, nullcontext
+from functools import partial
 from threading import Thread
 
 import numpy as np
@@ -14,14 +14,13 @@ from numpy.typing import NDArray
 
 from stylit_ref.cli.bundled_scenes import bundled_style
 from stylit_ref.errors import InputError
-from stylit_ref.files.disk.paths import check_writable, existing_file, is_there, real_path
+from stylit_ref.files.disk.paths import existing_file, is_there, real_path
 from stylit_ref.notes import note
 from stylit_ref.studio.engine.events import Event
 from stylit_ref.studio.engine.live import Live
 from stylit_ref.studio.engine.scene import Scene
 from stylit_ref.studio.painting.folder import PaintingFolder
 from stylit_ref.studio.painting.held import held
-from stylit_ref.studio.painting.paint_file import write_paint
 from stylit_ref.studio.scene_files.shelf import Shelf
 from stylit_ref.studio.server.access import Access
 from stylit_ref.studio.server.beginning import Beginning, begin
@@ -29,6 +28,7 @@ from stylit_ref.studio.server.door import USUAL_PORT, open_door, port_of
 from stylit_ref.studio.server.panel import Panel
 from stylit_ref.studio.server.serve import serve
 from stylit_ref.studio.server.views_panel import views_panel
+from stylit_ref.studio.server.way_in import way_in
 
 _PORTS = range(1024, 65536)
 """Those below are the system's."""
@@ -63,7 +63,7 @@ def serve_studio(options: argparse.Namespace, shelf: Shelf) -> None:
 
 
 def _beginning(options: argparse.Namespace, shelf: Shelf, folder: PaintingFolder) -> Beginning:
-    """What there is to paint on; a watched file that is not there is written."""
+    """What there is to paint on."""
     style, watched = options.style, options.watch
     if style and options.source is None and not is_there(style):
         style = bundled_style(style) or style
@@ -71,12 +71,7 @@ def _beginning(options: argparse.Namespace, shelf: Shelf, folder: PaintingFolder
         raise InputError(
             f"is {watched}, where the studio itself saves; watch another file", parameter="watch"
         )
-    beginning = begin(shelf, folder, style=style, watched=watched)
-    if watched and not Path(watched).exists():
-        check_writable(watched)
-        write_paint(Path(watched), beginning.saved.painting)
-        note(f"{watched}: is new, with the painting as it is; open it in your program")
-    return beginning
+    return begin(shelf, folder, style=style, watched=watched)
 
 
 def _serve(options: argparse.Namespace, beginning: Beginning, panels: list[Panel]) -> None:
@@ -85,22 +80,25 @@ def _serve(options: argparse.Namespace, beginning: Beginning, panels: list[Panel
     if options.port is None and access.port != USUAL_PORT:
         note(f"port {USUAL_PORT} is taken, so the studio is at {access.port}")
 
-    def listens() -> None:
+    def listens(browsed: str | None) -> None:
         print(f"The studio is at {access.address}", flush=True)
         if not options.quiet:
             for text in beginning.notes:
                 print(text, file=sys.stderr)
             print("Ctrl-C saves the painting and ends.", file=sys.stderr)
-        if not options.no_browser:  # one in the terminal returns when it is left
-            Thread(target=webbrowser.open, args=(access.address,), daemon=True).start()
+        if browsed:  # a browser in the terminal returns when it is left
+            Thread(target=webbrowser.open, args=(browsed,), daemon=True).start()
 
     def engine(
         scene: Scene, painting: NDArray[np.uint8], tell: Callable[[Event], None], seed: int
     ) -> Live:
         return Live(scene, painting, tell=tell, threads=options.threads, seed=seed)
 
-    watched = Path(options.watch) if options.watch else None
-    serve(beginning, engine, door, access, panels=panels, watched=watched, listens=listens)
+    folder = beginning.folder.folder
+    with nullcontext() if options.no_browser else way_in(folder, access.address) as browsed:
+        serve(
+            beginning, engine, door, access, panels=panels, listens=partial(listens, browsed)
+        )  # fmt: skip
 
 
 @contextmanager

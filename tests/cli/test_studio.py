@@ -21,10 +21,10 @@ def served(tmp_path, monkeypatch):
 
     given = {}
 
-    def serve(beginning, engine, door, access, *, panels, watched, listens):
+    def serve(beginning, engine, door, access, *, panels, listens):
         with door:
             listens()
-        given.update(beginning=beginning, access=access, watched=watched,
+        given.update(beginning=beginning, access=access,
                      panels=[panel.name for panel in panels])  # fmt: skip
         raise KeyboardInterrupt
 
@@ -46,13 +46,14 @@ def own(*more, targets=("robot",)):
     return studio(*targets, "--source", "sphere", "--port", "0", *more)
 
 
-def test_the_address_is_printed_and_opened(served, capsys):
+def test_the_address_is_printed_and_a_file_opened_that_leads_there(served, tmp_path, capsys):
     assert own() == 130
     said = capsys.readouterr()
     address = served["access"].address
     assert said.out == f"The studio is at {address}\n"
     assert said.err.endswith("stylit-ref: interrupted; nothing was painted\n")
-    assert served["opened"] == [address]
+    assert served["opened"] == [(tmp_path / "painting/open_studio.html").as_uri()]
+    assert not (tmp_path / "painting").exists()
 
 
 def test_no_browser_and_quiet(served, capsys):
@@ -84,8 +85,8 @@ def test_several_targets_are_offered(served, tmp_path):
 def test_a_watched_file_that_is_not_there_is_written(served, tmp_path, capsys):
     assert own("--watch", "paint.png") == 130
     assert np.array_equal(read_image("paint.png"), read_image("sphere/FULL.png"))
-    assert "paint.png: is new" in capsys.readouterr().err
-    assert str(served["watched"]) == "paint.png"
+    assert "paint.png is new" in capsys.readouterr().err
+    assert str(served["beginning"].watch.file) == "paint.png"
 
 
 def test_a_watched_file_that_is_there_is_the_painting(served):

@@ -10,8 +10,8 @@ TILE = 16
 
 def image_of(message):
     """The picture or painting of a message that brings all of it, (H, W, 3) uint8."""
-    _, _, width, height, _, _, _ = HEAD.unpack_from(message)
-    return np.frombuffer(message, np.uint8, offset=HEAD.size).reshape(height, width, 3)
+    _, _, width, height, name, _, _ = HEAD.unpack_from(message)
+    return np.frombuffer(message, np.uint8, offset=HEAD.size + name).reshape(height, width, 3)
 
 
 def whole_picture(message, before):
@@ -19,9 +19,10 @@ def whole_picture(message, before):
     if message[0] == 1:
         return message
     assert message[0] == 3
-    _, which, width, height, zero, serial, milliseconds = HEAD.unpack_from(message)
+    _, which, width, height, length, serial, milliseconds = HEAD.unpack_from(message)
     columns, rows = -(-width // TILE), -(-height // TILE)
-    body, image = message[HEAD.size :], image_of(before).copy()
+    name, body = message[HEAD.size :][:length], message[HEAD.size + length :]
+    image = image_of(before).copy()
     assert image.shape == (height, width, 3)
     at = -(-rows * columns // 8)
     for tile in range(rows * columns):
@@ -33,4 +34,5 @@ def whole_picture(message, before):
                         image[place] = list(body[at : at + 3])
                     at += 3
     assert at == len(body)
-    return HEAD.pack(1, which, width, height, zero, serial, milliseconds) + image.tobytes()
+    head = HEAD.pack(1, which, width, height, length, serial, milliseconds)
+    return head + name + image.tobytes()

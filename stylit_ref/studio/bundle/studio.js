@@ -529,11 +529,14 @@
     const head = new DataView(message);
     const [kind, which] = [head.getUint8(0), RESULTS[head.getUint8(1)]];
     const [width, height] = [head.getUint16(2, true), head.getUint16(4, true)];
-    const body = new Uint8Array(message, FRAME_HEAD);
+    const begins = FRAME_HEAD + head.getUint16(6, true);
+    if (message.byteLength < begins) return null;
+    const of = new TextDecoder().decode(message.slice(FRAME_HEAD, begins));
+    const body = new Uint8Array(message, begins);
     const rgb = kind === CHANGES ? changed(body, before) : body;
     if (!which || rgb?.length !== 3 * width * height) return null;
     const [serial, milliseconds] = [head.getUint32(8, true), head.getFloat32(12, true)];
-    return { isPainting: kind === PAINTING, which, width, height, serial, milliseconds, rgb };
+    return { isPainting: kind === PAINTING, which, width, height, serial, milliseconds, of, rgb };
   }
   function changed(body, before) {
     if (!before) return null;
@@ -1002,10 +1005,13 @@
     choice;
     canvas;
     screen;
+    caption;
     constructor(side, chosen) {
       this.choice = byId(`${side}-look-choice`);
       this.canvas = byId(`${side}-look`);
       this.screen = new Screen(this.canvas);
+      this.caption = byId(`${side}-looked`);
+      byId(`${side}-look-away`).onclick = () => this.leave();
       const strength = byId(`${side}-look-strength`);
       this.choice.onchange = () => chosen(this);
       strength.oninput = () => this.canvas.style.opacity = String(strength.valueAsNumber / 100);
@@ -1023,10 +1029,10 @@
       );
       this.choice.value = what;
       if (!this.choice.value) this.choice.value = "";
-      this.canvas.hidden = !this.what;
+      if (!this.what) this.hide();
     }
     hide() {
-      this.canvas.hidden = true;
+      this.canvas.hidden = this.caption.hidden = true;
     }
     leave() {
       this.choice.value = "";
@@ -1034,15 +1040,16 @@
     }
     draw({ width, height, rgb }) {
       this.screen.show(width, height, rgb);
-      this.canvas.hidden = false;
+      this.caption.firstElementChild.textContent = this.choice.selectedOptions[0].text;
+      this.canvas.hidden = this.caption.hidden = false;
     }
   };
   var Looks = class {
     connection;
     looks;
     waiting = /* @__PURE__ */ new Set();
-    /** The server answers one look at a time. */
-    asked = null;
+    /** What the server has not answered yet; it is not asked again before. */
+    asked = /* @__PURE__ */ new Set();
     constructor(connection) {
       this.connection = connection;
       this.looks = ["painting", "picture"].map((side) => new Look(side, (look) => this.want(look)));
@@ -1059,7 +1066,7 @@
         "Guides of B": named("B"),
         "What lies between": { nnf: "Matches (NNF)", ...Object.fromEntries(texts) }
       });
-      this.asked = null;
+      this.asked.clear();
       this.waiting.clear();
       this.looks.forEach((look) => this.want(look));
     }
@@ -1072,22 +1079,26 @@
       this.refresh((what) => what.startsWith("B:"));
     }
     answer(frame) {
-      const look = this.asked;
-      this.asked = null;
-      if (look?.what) look.draw(frame);
+      this.asked.delete(frame.of);
+      this.looksAt(frame.of)?.draw(frame);
       this.next();
     }
-    /** There is no answer to what was asked. */
-    fail() {
-      this.asked?.hide();
-      this.asked = null;
+    /** There is no answer: to what was asked, or nobody knows to what. */
+    fail(of) {
+      if (of) {
+        this.asked.delete(of);
+        this.looksAt(of)?.hide();
+      } else this.asked.clear();
       this.next();
     }
     /** A page that looks on cannot ask. */
     leave() {
       this.looks.forEach((look) => look.leave());
       this.waiting.clear();
-      this.asked = null;
+      this.asked.clear();
+    }
+    looksAt(what) {
+      return this.looks.find((look) => look.what === what);
     }
     refresh(isMeant) {
       this.looks.filter(({ what }) => what && isMeant(what)).forEach((look) => this.want(look));
@@ -1098,22 +1109,28 @@
       this.next();
     }
     next() {
-      if (this.asked) return;
-      const [look] = this.waiting;
-      if (!look || !this.connection.ask({ do: "look", what: look.what })) return;
-      this.waiting.delete(look);
-      this.asked = look;
+      for (const look of this.waiting) {
+        const { what } = look;
+        if (this.asked.has(what)) continue;
+        if (!this.connection.ask({ do: "look", what })) return;
+        this.waiting.delete(look);
+        this.asked.add(what);
+      }
     }
   };
 
   // src/notices.ts
+  var LONG_ENOUGH = 2e4;
   var Notices = class {
     said = byId("said");
     problems = byId("problems");
+    timer = 0;
     lasting = /* @__PURE__ */ new Map();
-    /** In the status line, heard by screen readers when they are done. */
+    /** In the status line for a while, heard by screen readers when they are done. */
     say(text) {
       this.said.textContent = text;
+      clearTimeout(this.timer);
+      this.timer = setTimeout(() => this.said.textContent = "", LONG_ENOUGH);
     }
     /** Stays until it is put away, or the same is said again. */
     problem(text) {
@@ -1431,21 +1448,28 @@
     screen = new Screen(byId("picture"));
     latency;
     newest = null;
+    /** The last that is no step, to go back to. */
+    live = null;
     serial = 0;
     askFrame;
     constructor(latency) {
       this.latency = latency;
       this.askFrame = atOnceAndPerFrame(() => this.draw());
+      byId("back").onclick = () => {
+        this.newest = this.live;
+        this.askFrame();
+      };
     }
     /** Begin again, as the server counts serials from elsewhere. */
     forget() {
       this.serial = 0;
-      this.newest = null;
+      this.newest = this.live = null;
     }
     show(frame) {
       if (frame.serial < this.serial) return;
       this.serial = frame.serial;
       this.newest = frame;
+      if (frame.which !== "step") this.live = frame;
       this.askFrame();
     }
     draw() {
@@ -1456,6 +1480,7 @@
       this.screen.show(width, height, newest.rgb);
       this.which = which;
       byId("empty").hidden = true;
+      byId("back").hidden = which !== "step" || !this.live;
       byId("which").textContent = which;
       byId("which").dataset.which = which;
       byId("took").textContent = timeOf(milliseconds);
@@ -1504,10 +1529,12 @@
   // src/refusals.ts
   var Refusal = class extends Error {
   };
+  var page = "";
+  var namePage = (name) => void (page = name);
   async function answerTo(address, request) {
     let response;
     try {
-      response = await fetch(address, request);
+      response = await fetch(address, { ...request, headers: { ...request?.headers, "Stylit-Page": page } });
     } catch {
       throw new Refusal("The studio does not answer. Try again when the connection is back.");
     }
@@ -1674,6 +1701,7 @@
       this.isResting = false;
       clearTimeout(this.timer);
     }
+    /** Show and send what has changed so far. */
     flush() {
       this.painting?.show();
       if (!this.isAllowed || !this.painting) return;
@@ -1705,11 +1733,13 @@
     /** Which painting comes next, after a welcome. */
     awaited = null;
     wasLost = false;
+    /** Whether a scene is. */
+    isOpening = false;
     constructor(parts) {
       this.parts = parts;
       const { connection } = parts;
       const chosen = byId("scene");
-      chosen.onchange = () => connection.ask({ do: "scene", name: chosen.value });
+      chosen.onchange = () => this.open(chosen.value);
       const seed = byId("seed");
       seed.onchange = () => seed.checkValidity() ? connection.ask({ do: "seed", value: seed.valueAsNumber }) : seed.reportValidity();
       byId("seed-next").onclick = () => {
@@ -1733,7 +1763,7 @@
         case "compiling":
           return progress.compiling(said.text, said.done, said.total);
         case "problem":
-          this.parts.looks.fail();
+          this.parts.looks.fail(said.of);
           exporting.fail(said.text);
           return notices.problem(said.text);
         case "saved":
@@ -1758,6 +1788,9 @@
       const { notices, sender, progress } = this.parts;
       sender.allow(false);
       this.letAsk(false);
+      this.isOpening = false;
+      this.awaited = null;
+      this.letPaint();
       progress.forget();
       const isAgain = this.wasLost;
       this.wasLost = true;
@@ -1777,8 +1810,10 @@
     }
     welcome(welcome) {
       const { notices, sender, result, texture } = this.parts;
+      const isFirst = this.role === null;
       if (welcome.version !== VERSION) return notices.while("line", { text: "The studio is of another version than this page. Reload the page." });
       notices.while("line", null);
+      namePage(welcome.page);
       if (this.folder !== welcome.painting.name) this.painting = null;
       this.folder = welcome.painting.name;
       const own = this.painting;
@@ -1800,12 +1835,24 @@
       byId("views-panel").hidden = !welcome.panels.includes("views");
       if (welcome.panels.includes("texture") && byId("texture-panel").hidden)
         texture.open().catch((error) => notices.problem(sentenceOf(error)));
-      if (welcome.notes.length) notices.say(welcome.notes.join(" "));
+      if (welcome.notes.length && (isFirst || this.wasLost)) notices.say(welcome.notes.join(" "));
       else if (this.wasLost) notices.say(isAhead ? "Connected again; what you painted meanwhile is sent." : "Connected again.");
       this.wasLost = false;
     }
+    /** Another scene. It may have a painting of its own, so the brush waits until it is there. */
+    open(name) {
+      const { artist, sender, connection, notices } = this.parts;
+      artist.end();
+      sender.flush();
+      if (!connection.ask({ do: "scene", name })) return;
+      this.isOpening = true;
+      this.letPaint();
+      notices.say("The scene is being opened; the brush waits for it.");
+    }
     choose({ scene, step, parameters, weights, layers }) {
       const { turning, looks, guides, steps } = this.parts;
+      this.isOpening = false;
+      this.letPaint();
       this.scene = byId("scene").value = scene;
       this.parts.parameters.offer(parameters.fields, parameters.values);
       this.parts.shows(this.now);
@@ -1818,14 +1865,14 @@
       return this.scenes.find(({ name }) => name === this.scene);
     }
     take(role) {
-      const { notices, connection, artist, sender, looks } = this.parts;
+      const { notices, connection, sender, looks } = this.parts;
       const isReader = role === "reader";
       if (isReader) looks.leave();
       this.role = role;
-      artist.mayPaint = !isReader;
+      this.letPaint();
       sender.allow(false);
-      artist.tell();
       document.body.classList.toggle("reads", isReader);
+      allow("fieldset.brushes", !isReader);
       this.letAsk(!isReader);
       const text = sender.isBehind ? "Another page has the brush. This one holds strokes that the studio does not have: take over to keep them." : "Another page has the brush; this one looks on.";
       const button = { text: "Take over", press: () => void connection.ask({ do: "take_over" }) };
@@ -1833,7 +1880,13 @@
     }
     /** Whether what only a painter may ask can be asked: nothing while the studio does not answer. */
     letAsk(may) {
-      for (const set of document.querySelectorAll("fieldset.painters")) set.disabled = !may;
+      allow("fieldset.painters", may);
+    }
+    /** A painter may paint, but for the time until another painting is there. */
+    letPaint() {
+      const { artist } = this.parts;
+      artist.mayPaint = this.role === "painter" && !this.isOpening && !this.awaited;
+      artist.tell();
     }
     repaint(frame) {
       const { artist, sender } = this.parts;
@@ -1854,6 +1907,7 @@
         if (frame.serial < sender.serial) sender.sendAll();
         else sender.forget(frame.serial);
       } else if (!isBeginning && !sender.isBehind) this.adopt(frame);
+      this.letPaint();
       sender.allow(this.role === "painter");
     }
     begin(frame) {
@@ -1871,6 +1925,9 @@
       sender.forget(frame.serial);
     }
   };
+  function allow(fieldsets, may) {
+    for (const set of document.querySelectorAll(fieldsets)) set.disabled = !may;
+  }
   function inkOf({ width, height, rgb }) {
     const pixels = new Uint32Array(width * height);
     fromRgb(rgb, pixels);

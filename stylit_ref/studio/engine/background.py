@@ -11,7 +11,7 @@ from multiprocessing.connection import Connection
 from multiprocessing.process import BaseProcess
 from threading import Condition, Thread
 from time import monotonic
-from typing import Literal
+from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -64,6 +64,13 @@ class Wish:
     step: int
     settings: Settings
     serial: int
+
+
+class _Answered(NamedTuple):
+    """A picture that was made, and how long it took in milliseconds."""
+
+    shown: Shown
+    milliseconds: float
 
 
 class Background:
@@ -135,7 +142,7 @@ class Background:
             self._changed.notify()
 
     def _serve(self):
-        self._start()  # it takes a second or two, so before it is needed
+        self._tried(Stopped)  # to begin the process takes a second or two, so before it is needed
         while self._await_wish():
             if self._ahead:
                 message, self._ahead = self._ahead, None
@@ -164,28 +171,30 @@ class Background:
         self._report(wish, number, answer or Stopped())
 
     def _tried(self, ask):
-        """What the process answers; None if it ended, and another was begun."""
+        """What the process answers, which is begun if there is none; None if it has ended."""
         try:
+            if self._connection is None:
+                self._start()
             return ask()
         except InputError as error:
             return Failed(str(error))
         except (EOFError, OSError):
-            self._begin_anew()
+            self._end()
             return None
         except Exception:
             logging.getLogger(__name__).exception("the studio's background failed")
-            self._begin_anew()
+            self._end()
             return Failed("something went wrong; the terminal says what")
 
     def _report(self, wish, number, answer):
         match answer:
-            case Made(image, nnf, milliseconds):
+            case _Answered(shown, milliseconds):
                 with self._changed:
                     is_wanted = self._is_wanted(number)
                     if is_wanted:
-                        self._made(_shown(wish, image, nnf))
+                        self._made(shown)
                 if is_wanted:
-                    self._tell(Picture(wish.which, image, wish.serial, milliseconds))
+                    self._tell(Picture(wish.which, shown.image, wish.serial, milliseconds))
                 self._tell(Working(wish.which, "done" if is_wanted else "cancelled", ""))
             case Failed(text):
                 self._tell(Working(wish.which, "failed", text))
@@ -213,6 +222,9 @@ class Background:
             if kernels:
                 self._tell(Compiling(_COMPILING, kernels, kernels))
                 kernels = 0
+            if isinstance(message, Made):
+                shown = _shown(wish, message.image, message.nnf)
+                return _Answered(shown, message.milliseconds)
             if not isinstance(message, Going):
                 return message
             self._tell(Working(wish.which, "started", f"{message.done:.0%}"))
@@ -234,18 +246,13 @@ class Background:
     def _is_wanted(self, number):
         return self._wanted.value == number
 
-    def _begin_anew(self):
-        self._end()
-        if not self._is_closed:
-            self._start()
-
     def _start(self):
-        self._connection, other = self._context.Pipe()
+        own, other = self._context.Pipe()
         process = self._context.Process(
             target=work, args=(other, self._wanted), name="studio background", daemon=True
         )
         process.start()
-        self._process = process  # one that is not started yet cannot be killed
+        self._process, self._connection = process, own  # before it starts it cannot be killed
         other.close()  # so that the end of the process is noticed
         self._sent = None
 

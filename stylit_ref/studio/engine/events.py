@@ -30,12 +30,15 @@ class Picture:
         Of the last change of the painting that it shows.
     milliseconds : float
         How long it took.
+    of : str
+        Of a look: what was asked for.
     """
 
     which: Which
     image: NDArray[np.uint8]
     serial: int
     milliseconds: float
+    of: str = ""
 
 
 @dataclass(frozen=True)
@@ -79,9 +82,12 @@ class Problem:
     ----------
     text : str
         A sentence for the user.
+    of : str
+        What was asked for, if it was a look.
     """
 
     text: str
+    of: str = ""
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,7 @@
 """Write a picture, what it was made of, and how to make it again."""
 
 from pathlib import Path
+from shutil import rmtree
 
 from stylit_ref.files.disk.whole_file import write_text
 from stylit_ref.files.field import Field
@@ -18,7 +19,7 @@ PICTURE, STYLE, NNF, COMMANDS = "picture.png", "style.png", "nnf.npy", "commands
 def export(shown: Shown, folder: Path) -> Exported:
     """Write a picture, the style, the NNF and the command lines that give the same bytes.
 
-    A scene that is in memory alone is written too.
+    A scene that is in memory alone is written too. A failure leaves no new folder.
 
     Parameters
     ----------
@@ -35,6 +36,16 @@ def export(shown: Shown, folder: Path) -> Exported:
     InputError
         If a file cannot be written.
     """
+    is_new = not folder.exists()
+    try:
+        return _written(shown, folder)
+    except BaseException:
+        if is_new:
+            rmtree(folder, ignore_errors=True)
+        raise
+
+
+def _written(shown: Shown, folder: Path) -> Exported:
     files = [PICTURE, STYLE, NNF]
     write_image(folder / PICTURE, shown.image)
     write_image(folder / STYLE, shown.style)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
 from stylit_ref.parameters import Integer
-from stylit_ref.studio.engine.events import Event
+from stylit_ref.studio.engine.events import Event, Problem
 from stylit_ref.studio.engine.export import export
 from stylit_ref.studio.engine.follower import Follower
 from stylit_ref.studio.engine.looking import picture_of
@@ -56,6 +56,7 @@ class Live:
     ) -> None:
         painting = check_painting(painting, scene).copy()
         self._scene, self._settings = scene, Settings(seed=seed)  # as they will be
+        self._painting = painting.copy()  # likewise
         self._follower = Follower(scene, painting, self._settings, threads)
         self._stepper = Stepper(self._follower.own_session)
         self._worker = Worker(self._follower, tell)
@@ -82,16 +83,12 @@ class Live:
             If it does not lie in the painting.
         """
         pixels = check_rectangle(x, y, pixels, self._scene.size)
-        self._worker.stroke(lambda: self._follower.paint(x, y, pixels, serial))
+        height, width = pixels.shape[:2]
+        self._painting[y : y + height, x : x + width] = pixels
+        self._worker.stroke(x, y, pixels, serial, self._painting)
 
-    def rest(self, serial: int) -> None:
-        """The brush pauses: a coherent frame follows, then ``fast`` in the background.
-
-        Parameters
-        ----------
-        serial : int
-            Of the last change of the painting, which the frame tells in any case.
-        """
+    def rest(self) -> None:
+        """The brush pauses: a coherent frame follows, then ``fast`` in the background."""
         self._worker.want_frame()
 
     def replace_painting(self, painting: NDArray[np.uint8], serial: int) -> None:
@@ -103,6 +100,7 @@ class Live:
             If it does not fit the scene.
         """
         painting = check_painting(painting, self._scene).copy()
+        self._painting = painting.copy()
         self._worker.change(lambda: self._follower.replace_painting(painting, serial), "cold")
 
     def finish(self) -> None:
@@ -129,6 +127,7 @@ class Live:
         """
         if painting is not None:
             painting = check_painting(painting, scene).copy()
+            self._painting = painting.copy()
         elif scene.size != self._scene.size:
             raise InputError(
                 f"{scene.title} is painted at {scene.size[1]}x{scene.size[0]} pixels, and the "
@@ -227,14 +226,15 @@ class Live:
         """
         self._worker.do(lambda: self._look(what))
 
-    def export(self, folder: Path) -> None:
+    def export(self, new_folder: Callable[[], Path]) -> None:
         """Write the picture that was shown last, and how it can be made again.
 
         Parameters
         ----------
-        folder : Path
+        new_folder : callable
+            Says where, once there is a picture. The folder is made.
         """
-        self._worker.do(lambda: self._worker.say(export(self._worker.shown(), folder)))
+        self._worker.do(lambda: self._worker.say(export(self._worker.shown(), new_folder())))
 
     def close(self) -> None:
         """End the thread and the process; what is wished for is given up."""
@@ -264,5 +264,9 @@ class Live:
 
     def _look(self, what):
         start = perf_counter()
-        picture = picture_of(what, self._follower, self._worker.shown)
-        self._worker.show("look", picture, start)
+        try:
+            picture = picture_of(what, self._follower, self._worker.shown)
+        except InputError as error:
+            self._worker.say(Problem(str(error), of=what))
+        else:
+            self._worker.show("look", picture, start, of=what)

@@ -3,6 +3,7 @@
 import logging
 from collections import deque
 from collections.abc import Callable
+from functools import partial
 from threading import Condition, Thread
 from time import perf_counter
 from typing import Literal
@@ -16,6 +17,7 @@ from stylit_ref.studio.engine.background import Background, Wish
 from stylit_ref.studio.engine.events import Compiling, Event, Picture, Problem, Which
 from stylit_ref.studio.engine.follower import Follower
 from stylit_ref.studio.engine.shown import Shown
+from stylit_ref.studio.engine.strokes import Strokes
 
 _COMPILING = "kernels of the live picture"
 _PATIENCE = 2.0  # seconds: a kernel that is being compiled cannot be interrupted
@@ -42,6 +44,7 @@ class Worker:
         self._follower, self._tell = follower, tell
         self._changed = Condition()
         self._changes: deque[Callable[[], None]] = deque()
+        self._waiting: Strokes | None = None  # the last of the changes, if it is paint
         self._tasks: deque[Callable[[], None]] = deque()
         self._wants_replay = False
         self._wanted: Wanted = "cold"
@@ -52,11 +55,19 @@ class Worker:
         self._thread = Thread(target=self._work, name="studio", daemon=True)
         self._thread.start()
 
-    def stroke(self, change: Callable[[], None]) -> None:
-        """Change the painting; a replay follows, and a frame when the brush rests."""
+    def stroke(
+        self, x: int, y: int, pixels: NDArray[np.uint8], serial: int, painting: NDArray[np.uint8]
+    ) -> None:
+        """Change the painting; a replay follows, and a frame when the brush rests.
+
+        Parameters are those of :meth:`Strokes.add`.
+        """
         with self._changed:
             self._give_up()
-            self._changes.append(change)
+            if self._waiting is None:
+                self._waiting = Strokes()
+                self._changes.append(partial(self._waiting.onto, self._follower))
+            self._waiting.add(x, y, pixels, serial, painting)
             self._wants_replay = True
             # The first frame is not ended: without it there is no picture at all.
             if self._follower.can_replay:
@@ -69,6 +80,7 @@ class Worker:
         """Change something else; a frame follows at once, or when one is wanted."""
         with self._changed:
             self._give_up()
+            self._waiting = None
             self._changes.append(change)
             self._wanted = wanted
             if self._is_searching:
@@ -103,10 +115,10 @@ class Worker:
         if not self._is_closed:
             self._tell(event)
 
-    def show(self, which: Which, image: NDArray[np.uint8], start: float) -> None:
+    def show(self, which: Which, image: NDArray[np.uint8], start: float, of: str = "") -> None:
         """Tell a picture that was begun at ``start``, in seconds of ``perf_counter``."""
         milliseconds = 1000 * (perf_counter() - start)
-        self.say(Picture(which, image, self._follower.serial, milliseconds))
+        self.say(Picture(which, image, self._follower.serial, milliseconds, of))
 
     def begin(self, which: Literal["fast", "full"]) -> None:
         """Begin a picture in the background, unless it would be out of date already."""
@@ -163,6 +175,7 @@ class Worker:
         with self._changed:
             changes, wants_replay = list(self._changes), self._wants_replay
             self._changes.clear()
+            self._waiting = None
             self._wants_replay = False
         for change in changes:
             change()

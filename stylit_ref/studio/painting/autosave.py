@@ -1,11 +1,14 @@
 """Save a painting in a thread of its own, the newest state, and not too often."""
 
+import logging
 import time
 from collections.abc import Callable
 from threading import Condition, Thread
 
 from stylit_ref.errors import InputError
 from stylit_ref.studio.painting.folder import PaintingFolder, Saved
+
+LOGGER: logging.Logger = logging.getLogger(__name__)
 
 PAUSE = 1.0
 """Seconds between two savings."""
@@ -74,7 +77,9 @@ class Autosave:
                 self._folder.save(saved)
             except InputError as error:
                 self._failure = saved, error
-                self._tell(error)
+            except Exception:
+                LOGGER.exception("the painting cannot be saved; please report it")
+                self._failure = saved, InputError("something went wrong; the terminal says what")
             else:
                 self._failure = None
-                self._tell(None)
+            self._tell(self._failure and self._failure[1])

@@ -108,19 +108,8 @@ class PaintingFolder:
         return PaintingFolder(self.folder / f"{width}x{height}", self)
 
     def new_export(self) -> Path:
-        """A new folder for exported files, the next by its number.
-
-        Raises
-        ------
-        InputError
-            If it cannot be made.
-        """
-        folder = self._exports / f"{self._last_export + 1:03d}"
-        try:
-            folder.mkdir(parents=True)
-        except OSError as error:
-            raise InputError(f"{folder}: cannot be made: {error.strerror}") from None
-        return folder
+        """The next folder for exported files by its number, to be made by whoever writes them."""
+        return self._exports / f"{self._last_export + 1:03d}"
 
     def exported(self) -> Path:
         """The folder of the last export, which need not be there."""

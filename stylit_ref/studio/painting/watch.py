@@ -1,6 +1,8 @@
 """A painting that another program saves: read whenever it has changed and is whole."""
 
+import logging
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 from threading import Event, Thread
 
@@ -9,6 +11,9 @@ from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
 from stylit_ref.studio.painting.paint_file import read_paint
+from stylit_ref.studio.painting.whole_png import is_damaged_png
+
+LOGGER: logging.Logger = logging.getLogger(__name__)
 
 PAUSE = 0.2
 """Seconds between two looks. What is on a network is seen so, too."""
@@ -26,16 +31,15 @@ class Watch:
     Parameters
     ----------
     file : str or Path
+        What it holds now is known.
     size : tuple of int
         Height and width that it must have.
-    is_known : bool
-        Whether the file as it is now has been read by others.
     """
 
-    def __init__(self, file: str | Path, size: tuple[int, int], *, is_known: bool = False) -> None:
+    def __init__(self, file: str | Path, size: tuple[int, int]) -> None:
         self.file: Path = Path(file)
         self._size = size
-        self._last = self._done = self._signature() if is_known else None
+        self._last = self._done = self._signature()
         self._failures = 0
 
     def look(self) -> NDArray[np.uint8] | None:
@@ -57,11 +61,14 @@ class Watch:
             self._last, self._failures = signature, 0
             return None
         try:
-            painting = read_paint(self.file)
+            painting = self._read()
         except InputError:
             self._failures += 1
             if self._failures < PATIENCE:
                 return None
+            self._done = signature
+            raise
+        except Exception:
             self._done = signature
             raise
         if self._signature() != signature:  # it was being written meanwhile
@@ -70,6 +77,12 @@ class Watch:
         if painting.shape[:2] != self._size:
             raise InputError(self._why_refused(painting.shape[:2]))
         return painting
+
+    def _read(self):
+        with suppress(OSError):  # what it means that it cannot be read is told by who reads it
+            if is_damaged_png(self.file):
+                raise InputError(f"{self.file}: is a damaged PNG; save it again")
+        return read_paint(self.file)
 
     def _why_refused(self, found):
         (height, width), (old_height, old_width) = found, self._size
@@ -123,6 +136,9 @@ class Watcher:
                 painting = self._watch.look()
             except InputError as error:
                 self._tell(error)
+            except Exception:
+                LOGGER.exception("the watched file cannot be looked at; please report it")
+                self._tell(InputError("the watched file failed; the terminal says how"))
             else:
                 if painting is not None:
                     self._tell(painting)

@@ -57,8 +57,12 @@ class Access:
 
     @property
     def cookie(self) -> str:
-        """The header that sets the cookie."""
-        return f"{self.cookie_name}={self.secret}; HttpOnly; SameSite=Strict; Path=/"
+        """The header that sets the cookie.
+
+        Browsers send it along where another place leads to the page, as the file does that opens
+        it; whoever asks for a change is known by the origin.
+        """
+        return f"{self.cookie_name}={self.secret}; HttpOnly; SameSite=Lax; Path=/"
 
     def refusal(
         self, method: str, headers: Iterable[tuple[bytes, bytes]], *, is_socket: bool = False

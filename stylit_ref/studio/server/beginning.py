@@ -7,9 +7,11 @@ from pathlib import Path
 import numpy as np
 
 from stylit_ref.errors import InputError
+from stylit_ref.files.disk.paths import check_writable
 from stylit_ref.studio.engine.scene import Scene
 from stylit_ref.studio.painting.folder import PaintingFolder, Saved, Setting
-from stylit_ref.studio.painting.paint_file import read_paint
+from stylit_ref.studio.painting.paint_file import read_paint, write_paint
+from stylit_ref.studio.painting.watch import Watch
 from stylit_ref.studio.scene_files.offer import Offer
 from stylit_ref.studio.scene_files.shelf import Shelf
 from stylit_ref.studio.server.protocol import sentence
@@ -28,6 +30,8 @@ class Beginning:
         That of the setting, opened.
     notes : sequence of str
         What is told of it.
+    watch : Watch or None
+        Of a file that another program paints.
     """
 
     shelf: Shelf
@@ -35,6 +39,7 @@ class Beginning:
     saved: Saved
     scene: Scene
     notes: Sequence[str]
+    watch: Watch | None = None
 
 
 def begin(
@@ -53,12 +58,14 @@ def begin(
     style : str or Path, optional
         To begin a new painting with.
     watched : str or Path, optional
-        A file that another program paints: it counts more than what was saved, which is kept.
+        A file that another program paints: it counts more than what was saved, which is kept. If
+        there is none, it is written.
 
     Raises
     ------
     InputError
-        If a file cannot be read or has another size, or ``style`` would replace a painting.
+        If a file cannot be read or written, or has another size, or ``style`` would replace a
+        painting.
     """
     notes: list[str] = []
     offer = _last_offer(shelf, folder.setting().scene, notes)
@@ -75,7 +82,9 @@ def begin(
         )
     else:
         notes.append(f"The painting in {place.folder} is back; it was saved {place.saved_when}.")
+    watch = None
     if watched is not None and Path(watched).exists():
+        watch = Watch(watched, offer.size)  # before it is read: what is saved later is new
         painting = read_paint(watched, offer.size)
         before = saved.painting
         setting = replace(saved.setting, serial=saved.setting.serial + 1)
@@ -88,7 +97,12 @@ def begin(
     scene = _opened(offer, saved.setting, notes)
     step = saved.setting.step if saved.setting.scene == offer.name else 0
     setting = replace(saved.setting, scene=offer.name, step=step if step < scene.steps else 0)
-    return Beginning(shelf, folder, replace(saved, setting=setting), scene, notes)
+    if watched is not None and watch is None:
+        check_writable(watched)
+        write_paint(Path(watched), saved.painting)
+        watch = Watch(watched, offer.size)
+        notes.append(f"{watched} is new, with the painting as it is; open it in your program.")
+    return Beginning(shelf, folder, replace(saved, setting=setting), scene, notes, watch)
 
 
 def folder_of(offer: Offer, shelf: Shelf, folder: PaintingFolder) -> PaintingFolder:

@@ -28,6 +28,8 @@ from stylit_ref.studio.server.welcome import panels_of_scene, welcome
 Engine = Callable[[Scene, NDArray[np.uint8], Callable[[Event], None], int], Live]
 """Begins one: of a scene, a painting, where events go, and a seed."""
 
+LOOKS_ON = "This page looks on. Take over to paint here."
+
 READERS_WAIT = 0.1
 """Seconds between two paintings that readers are sent."""
 
@@ -52,6 +54,7 @@ class Desk:
         self._shelf, self._panels = beginning.shelf, panels
         self._notes = list(beginning.notes)
         self._loop = asyncio.get_running_loop()
+        self._opening = asyncio.Lock()  # of a scene
         self._visitors = Visitors()
         self._telling = Telling(self._visitors)
         self._folder, saved, self._scene = beginning.folder, beginning.saved, beginning.scene
@@ -98,6 +101,11 @@ class Desk:
         """Whether a page has said hello."""
         return visitor in self._visitors
 
+    def is_painter(self, page: str) -> bool:
+        """Whether the page of this name paints."""
+        painter = self._visitors.painter
+        return painter is not None and painter.name == page
+
     def join(self, visitor: Visitor) -> None:
         """Welcome a page: it paints if no other does."""
         self._visitors.join(visitor)
@@ -119,8 +127,9 @@ class Desk:
     async def grant(self, visitor: Visitor, wish: Wish) -> None:
         """Do what a page asks for, or say why not."""
         if isinstance(wish, protocol.TakeOver):
-            self._visitors.take_over(visitor)
-            self._welcome(visitor)
+            async with self._opening:  # what is painted before it ends could not be kept
+                self._visitors.take_over(visitor)
+                self._welcome(visitor)
         elif self._may_act(visitor):
             try:
                 await self._do(wish)
@@ -175,8 +184,8 @@ class Desk:
     async def _do(self, wish: Wish) -> None:
         setting, live = self._easel.setting, self._live
         match wish:
-            case protocol.Rest(serial):
-                live.rest(serial)
+            case protocol.Rest():
+                live.rest()
                 self._easel.save()
             case protocol.Finish():
                 live.finish()
@@ -185,7 +194,7 @@ class Desk:
             case protocol.Look(what):
                 live.look(what)
             case protocol.Export():
-                live.export(self._folder.new_export())
+                live.export(self._folder.new_export)
             case protocol.ChooseScene(name):
                 await self._open(name, setting.layers.get(name, ()))
             case protocol.Layers(names):
@@ -207,6 +216,10 @@ class Desk:
 
     async def _open(self, name: str, picked: Sequence[str]) -> None:
         """Open a scene, or the same one with other layers."""
+        async with self._opening:
+            await self._change_scene(name, picked)
+
+    async def _change_scene(self, name: str, picked: Sequence[str]) -> None:
         offer = self._shelf.offer(name)
         scene = await asyncio.to_thread(offer.read, picked)
         layers = {**self._easel.setting.layers, name: list(picked)}
@@ -216,7 +229,10 @@ class Desk:
             self._set(scene=name, step=0, layers=layers)
             self._visitors.say("scene", self._state)
             return
-        saved = await asyncio.to_thread(self._change_painting, offer, scene)
+        saved = await asyncio.to_thread(self._painting_of, offer, scene)
+        self._easel.close()  # in no thread, so that nothing is painted meanwhile
+        setting = self._easel.setting
+        saved = replace(saved, setting=replace(setting, serial=setting.serial + LEAP))
         self._live.choose_scene(scene, saved.painting.copy(), saved.setting.serial)
         self._scene, self._easel = scene, self._new_easel(offer, saved)
         self.left_behind = self._easel.serial
@@ -224,22 +240,20 @@ class Desk:
         for visitor in self._visitors:
             self._welcome(visitor)
 
-    def _change_painting(self, offer: Offer, scene: Scene) -> Saved:
-        """Load the painting of a source of another size; if that can be had, save this one.
+    def _painting_of(self, offer: Offer, scene: Scene) -> Saved:
+        """The painting of a source of another size.
 
         Raises
         ------
         InputError
-            If one of them cannot; this painting then stays.
+            If it cannot be had.
         """
         saved = folder_of(offer, self._shelf, self._folder).load(offer.size)
         if saved is None:
             painting = offer.rendering()
             saved = Saved(painting, painting, Setting())
         check_painting(saved.painting, scene)
-        self._easel.close()
-        setting = self._easel.setting
-        return replace(saved, setting=replace(setting, serial=setting.serial + LEAP))
+        return saved
 
     def _new_easel(self, offer: Offer, saved: Saved) -> Easel:
         folder = folder_of(offer, self._shelf, self._folder)
@@ -275,8 +289,9 @@ class Desk:
 
     def _welcome(self, visitor: Visitor) -> None:
         """Send a page all that it shows, its painting included."""
-        role, panels, notes = self._visitors.role(visitor), self._panels, self._notes
-        told = welcome(self._easel, self._shelf, self._scene, role, panels, notes)
+        panels, notes = self._panels, self._notes
+        told = welcome(self._easel, self._shelf, self._scene, panels, notes)
+        told |= {"role": self._visitors.role(visitor), "page": visitor.name}
         visitor.outbox.say(said("welcome", told))
         visitor.outbox.show("beginning", painting_bytes(self._easel.beginning, 0))
         if self._easel.serial:
@@ -289,8 +304,7 @@ class Desk:
         """Whether a page paints; one that does not is told so."""
         may = visitor is self._visitors.painter
         if not may:
-            text = "This page looks on. Take over to paint here."
-            visitor.outbox.say(said("problem", {"text": text}))
+            visitor.outbox.say(said("problem", {"text": LOOKS_ON}))
         return may
 
     def _show_readers_soon(self) -> None:

@@ -1,6 +1,7 @@
 """What page and server say to each other through the socket, version 2.
 
-Paint and pictures travel as bytes, little-endian: a header and rows of RGB. All else is JSON.
+Paint and pictures travel as bytes, little-endian: a header and rows of RGB; a look has what was
+asked for between them. All else is JSON.
 """
 
 import json
@@ -255,7 +256,9 @@ def said(word: str, values: Mapping[str, Any] | None = None) -> str:
     return json.dumps({"say": word, **(values or {})}, separators=(",", ":"), allow_nan=False)
 
 
-def picture_bytes(which: str, image: NDArray[np.uint8], serial: int, milliseconds: float) -> bytes:
+def picture_bytes(
+    which: str, image: NDArray[np.uint8], serial: int, milliseconds: float, of: str = ""
+) -> bytes:
     """A picture for the page.
 
     Parameters
@@ -267,8 +270,10 @@ def picture_bytes(which: str, image: NDArray[np.uint8], serial: int, millisecond
         That of the last paint in it.
     milliseconds : float
         How long it took.
+    of : str
+        Of a look: what was asked for.
     """
-    return _image_bytes(_PICTURE_KIND, PICTURES.index(which), image, serial, milliseconds)
+    return _image_bytes(_PICTURE_KIND, PICTURES.index(which), image, serial, milliseconds, of)
 
 
 def changes_bytes(
@@ -276,6 +281,7 @@ def changes_bytes(
     image: NDArray[np.uint8],
     serial: int,
     milliseconds: float,
+    of: str,
     changed: NDArray[np.bool_],
     tiles: NDArray[np.uint8],
 ) -> bytes:
@@ -283,14 +289,14 @@ def changes_bytes(
 
     Parameters
     ----------
-    which, image, serial, milliseconds
+    which, image, serial, milliseconds, of
         As :func:`picture_bytes` takes them.
     changed : (rows, columns) bool
         Tiles that differ; they follow the header as bits, row by row, the lowest first.
     tiles : (n, 16, 48) uint8
         Those tiles, in this order, whole also where they reach beyond the picture.
     """
-    head = _head(_CHANGES_KIND, PICTURES.index(which), image, serial, milliseconds)
+    head = _head(_CHANGES_KIND, PICTURES.index(which), image, serial, milliseconds, of)
     return head + np.packbits(changed, bitorder="little").tobytes() + tiles.tobytes()
 
 
@@ -299,10 +305,12 @@ def painting_bytes(painting: NDArray[np.uint8], serial: int) -> bytes:
     return _image_bytes(_PAINTING_KIND, 0, painting, serial, 0.0)
 
 
-def _image_bytes(kind, which, image, serial, milliseconds):
-    return _head(kind, which, image, serial, milliseconds) + np.ascontiguousarray(image).tobytes()
+def _image_bytes(kind, which, image, serial, milliseconds, of=""):
+    head = _head(kind, which, image, serial, milliseconds, of)
+    return head + np.ascontiguousarray(image).tobytes()
 
 
-def _head(kind, which, image, serial, milliseconds):
+def _head(kind, which, image, serial, milliseconds, of):
     height, width = image.shape[:2]
-    return _IMAGE.pack(kind, which, width, height, 0, serial, milliseconds)
+    name = of.encode("utf-8", "replace")
+    return _IMAGE.pack(kind, which, width, height, len(name), serial, milliseconds) + name

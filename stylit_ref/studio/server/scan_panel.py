@@ -12,6 +12,7 @@ from starlette.routing import Route
 from stylit_ref.errors import InputError
 from stylit_ref.studio.server.body import json_body, points
 from stylit_ref.studio.server.in_thread import in_thread
+from stylit_ref.studio.server.painters import refuse_readers
 from stylit_ref.studio.server.panel import Panel
 from stylit_ref.studio.server.protocol import sentence
 from stylit_ref.studio.sheet.photograph import read_photograph
@@ -41,6 +42,7 @@ def scan_panel() -> Panel:
         return Response(content, media_type="application/pdf")
 
     async def scan(request: Request) -> Response:
+        refuse_readers(request)
         last[:] = [await request.body()]
         photograph = await in_thread(lambda: read_photograph(last[0]))
         height, width = photograph.shape[:2]
@@ -62,6 +64,7 @@ def scan_panel() -> Panel:
         return JSONResponse({**told, "text": _TAKEN, "corners": found.corners.tolist()})
 
     async def scan_corners(request: Request) -> Response:
+        refuse_readers(request)
         corners = points(await json_body(request), "corners", 4)
         if not last:
             raise HTTPException(404, "Send a photograph first.")

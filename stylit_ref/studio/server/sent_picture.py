@@ -32,12 +32,15 @@ class SentPicture:
         That of the last paint in it.
     milliseconds : float
         How long it took.
+    of : str
+        Of a look: what was asked for.
     """
 
     which: str
     image: NDArray[np.uint8]
     serial: int
     milliseconds: float
+    of: str = ""
 
     @cached_property
     def tiles(self) -> NDArray[np.uint8]:
@@ -50,7 +53,7 @@ class SentPicture:
 
     def message(self, before: "SentPicture | None") -> bytes:
         """What a page is sent that has had the picture ``before`` last."""
-        told = self.which, self.image, self.serial, self.milliseconds
+        told = self.which, self.image, self.serial, self.milliseconds, self.of
         if before is None or before.image.shape != self.image.shape:
             return picture_bytes(*told)
         # Eight bytes at a time: a tile's row has 48.

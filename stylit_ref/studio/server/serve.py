@@ -3,7 +3,7 @@
 import asyncio
 import socket
 from collections.abc import Callable, Sequence
-from pathlib import Path
+from contextlib import ExitStack
 
 import uvicorn
 from starlette.types import ASGIApp
@@ -28,7 +28,6 @@ def serve(
     access: Access,
     *,
     panels: Sequence[Panel] = (),
-    watched: Path | None = None,
     listens: Callable[[], None],
 ) -> None:
     """Serve it. The painting is saved whenever this ends, and however.
@@ -42,8 +41,6 @@ def serve(
     access : Access
         Of the door's port.
     panels : sequence of Panel
-    watched : Path, optional
-        A file whose changes become the painting.
     listens : callable
         Called once, when requests are answered.
 
@@ -54,17 +51,17 @@ def serve(
     """
 
     async def run() -> None:
-        desk = Desk(beginning, engine, [panel.name for panel in panels])
-        watcher = _watching(watched, desk) if watched else None
-        try:
-            app = make_app(access, desk, beginning, panels)
-            await _Server(_config(app), listens).serve([door])
-        finally:
-            if watcher:
-                watcher.close()
+        with ExitStack() as ends:
+            desk = Desk(beginning, engine, [panel.name for panel in panels])
+            server = _Server(_config(make_app(access, desk, beginning, panels)), listens)
+            # Until all is saved, so that another Ctrl-C meanwhile does not skip that.
+            ends.enter_context(server.capture_signals())
+            ends.callback(desk.close)
             for panel in panels:
-                panel.close()
-            desk.close()
+                ends.callback(panel.close)
+            if beginning.watch:
+                ends.callback(_watching(beginning.watch, desk).close)
+            await server.serve([door])
 
     asyncio.run(run())
 
@@ -98,6 +95,5 @@ def _config(app: ASGIApp) -> uvicorn.Config:
     )
 
 
-def _watching(file: Path, desk: Desk) -> Watcher:
-    watch = Watch(file, desk.size, is_known=True)
-    return Watcher(watch, desk.from_thread(lambda found: desk.watched(found, str(file))))
+def _watching(watch: Watch, desk: Desk) -> Watcher:
+    return Watcher(watch, desk.from_thread(lambda found: desk.watched(found, str(watch.file))))

@@ -64,10 +64,12 @@ class Telling:
             visitor.outbox.show(kind, picture)
 
     def _show(self, event: Picture) -> None:
-        picture = SentPicture(event.which, event.image, event.serial, event.milliseconds)
+        picture = SentPicture(
+            event.which, event.image, event.serial, event.milliseconds, event.of
+        )  # fmt: skip
         if event.which in _ASKED_FOR:
             if self._visitors.painter:
-                self._visitors.painter.outbox.show(event.which, picture)
+                self._visitors.painter.outbox.show(f"{event.which} {event.of}", picture)
             return
         self._last, self._problem = {"picture": picture}, None
         for visitor in self._visitors:

@@ -13,6 +13,7 @@ from starlette.routing import Route
 from stylit_ref.files.read_image import read_uint8
 from stylit_ref.studio.server.body import json_body, points
 from stylit_ref.studio.server.in_thread import in_thread
+from stylit_ref.studio.server.painters import refuse_readers
 from stylit_ref.studio.server.panel import Panel
 from stylit_ref.studio.server.png import png_response
 from stylit_ref.studio.server.texture_process import TextureProcess
@@ -64,6 +65,7 @@ def texture_panel(texture: Texture) -> Panel:
         return await in_thread(lambda: png_response(texture.picture()))
 
     async def dropped(request: Request) -> Response:
+        refuse_readers(request)
         said = await json_body(request)
         source, place = (
             tuple(map(int, points({name: [said.get(name)]}, name, 1)[0])) for name in ("from", "to")

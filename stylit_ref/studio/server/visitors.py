@@ -1,6 +1,7 @@
 """The pages that are open: one of them paints, the others look on."""
 
 from collections.abc import Iterator
+from secrets import token_urlsafe
 
 from stylit_ref.studio.server.outbox import Outbox
 from stylit_ref.studio.server.protocol import said
@@ -15,10 +16,13 @@ class Visitor:
     ----------
     outbox : Outbox
         What it is sent.
+    name : str
+        That nobody else knows.
     """
 
     def __init__(self) -> None:
         self.outbox: Outbox = Outbox()
+        self.name: str = token_urlsafe(16)
 
 
 class Visitors:

@@ -1,4 +1,4 @@
-"""What a page is told at first: all that it shows, but for pictures."""
+"""What a page is told at first: all that it shows, but for pictures and its role."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -16,7 +16,6 @@ def welcome(
     easel: Easel,
     shelf: Shelf,
     scene: Scene,
-    role: str,
     panels: Sequence[str],
     notes: Sequence[str],
 ) -> dict[str, Any]:
@@ -28,15 +27,12 @@ def welcome(
     shelf : Shelf
     scene : Scene
         That is open.
-    role : str
-        What the page may do.
     panels : sequence of str
     notes : sequence of str
     """
     height, width = easel.size
     return {
         "version": VERSION,
-        "role": role,
         "painting": {
             "width": width,
             "height": height,

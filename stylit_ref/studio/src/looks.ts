@@ -12,11 +12,14 @@ class Look {
   readonly choice: HTMLSelectElement;
   private readonly canvas: HTMLCanvasElement;
   private readonly screen: Screen;
+  private readonly caption: HTMLElement;
 
   constructor(side: "painting" | "picture", chosen: (look: Look) => void) {
     this.choice = byId(`${side}-look-choice`);
     this.canvas = byId(`${side}-look`);
     this.screen = new Screen(this.canvas);
+    this.caption = byId(`${side}-looked`);
+    byId(`${side}-look-away`).onclick = () => this.leave();
     const strength = byId<HTMLInputElement>(`${side}-look-strength`);
     this.choice.onchange = () => chosen(this);
     strength.oninput = () => (this.canvas.style.opacity = String(strength.valueAsNumber / 100));
@@ -36,11 +39,11 @@ class Look {
     );
     this.choice.value = what;
     if (!this.choice.value) this.choice.value = "";
-    this.canvas.hidden = !this.what;
+    if (!this.what) this.hide();
   }
 
   hide(): void {
-    this.canvas.hidden = true;
+    this.canvas.hidden = this.caption.hidden = true;
   }
 
   leave(): void {
@@ -50,7 +53,8 @@ class Look {
 
   draw({ width, height, rgb }: Frame): void {
     this.screen.show(width, height, rgb);
-    this.canvas.hidden = false;
+    (this.caption.firstElementChild as HTMLElement).textContent = this.choice.selectedOptions[0].text;
+    this.canvas.hidden = this.caption.hidden = false;
   }
 }
 
@@ -58,8 +62,8 @@ export class Looks {
   private readonly connection: Connection;
   private readonly looks: Look[];
   private readonly waiting = new Set<Look>();
-  /** The server answers one look at a time. */
-  private asked: Look | null = null;
+  /** What the server has not answered yet; it is not asked again before. */
+  private readonly asked = new Set<string>();
 
   constructor(connection: Connection) {
     this.connection = connection;
@@ -78,7 +82,7 @@ export class Looks {
       "Guides of B": named("B"),
       "What lies between": { nnf: "Matches (NNF)", ...Object.fromEntries(texts) },
     });
-    this.asked = null;
+    this.asked.clear();
     this.waiting.clear();
     this.looks.forEach((look) => this.want(look));
   }
@@ -94,16 +98,17 @@ export class Looks {
   }
 
   answer(frame: Frame): void {
-    const look = this.asked;
-    this.asked = null;
-    if (look?.what) look.draw(frame);
+    this.asked.delete(frame.of);
+    this.looksAt(frame.of)?.draw(frame);
     this.next();
   }
 
-  /** There is no answer to what was asked. */
-  fail(): void {
-    this.asked?.hide();
-    this.asked = null;
+  /** There is no answer: to what was asked, or nobody knows to what. */
+  fail(of?: string): void {
+    if (of) {
+      this.asked.delete(of);
+      this.looksAt(of)?.hide();
+    } else this.asked.clear();
     this.next();
   }
 
@@ -111,7 +116,11 @@ export class Looks {
   leave(): void {
     this.looks.forEach((look) => look.leave());
     this.waiting.clear();
-    this.asked = null;
+    this.asked.clear();
+  }
+
+  private looksAt(what: string): Look | undefined {
+    return this.looks.find((look) => look.what === what);
   }
 
   private refresh(isMeant: (what: string) => boolean): void {
@@ -125,10 +134,12 @@ export class Looks {
   }
 
   private next(): void {
-    if (this.asked) return;
-    const [look] = this.waiting;
-    if (!look || !this.connection.ask({ do: "look", what: look.what })) return;
-    this.waiting.delete(look);
-    this.asked = look;
+    for (const look of this.waiting) {
+      const { what } = look;
+      if (this.asked.has(what)) continue;
+      if (!this.connection.ask({ do: "look", what })) return;
+      this.waiting.delete(look);
+      this.asked.add(what);
+    }
   }
 }

@@ -8,14 +8,20 @@ export interface Lasting {
   button?: { text: string; press: () => void };
 }
 
+/** Milliseconds to read a sentence in passing. */
+const LONG_ENOUGH = 20_000;
+
 export class Notices {
   private readonly said = byId("said");
   private readonly problems = byId("problems");
+  private timer = 0;
   private readonly lasting = new Map<string, Lasting>();
 
-  /** In the status line, heard by screen readers when they are done. */
+  /** In the status line for a while, heard by screen readers when they are done. */
   say(text: string): void {
     this.said.textContent = text;
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => (this.said.textContent = ""), LONG_ENOUGH);
   }
 
   /** Stays until it is put away, or the same is said again. */

@@ -16,6 +16,8 @@ export interface Frame {
   /** Of the last rectangle of the painting that it knows. */
   serial: number;
   milliseconds: number;
+  /** Of a look: what was asked for. */
+  of: string;
   rgb: Uint8Array;
 }
 
@@ -60,6 +62,8 @@ export interface Welcome extends Chosen {
   say: "welcome";
   version: number;
   role: Role;
+  /** By which the server knows this page. */
+  page: string;
   painting: { width: number; height: number; name: string; serial: number };
   scenes: SceneSaid[];
   seed?: number;
@@ -77,7 +81,7 @@ export type Said =
   | { say: "role"; role: Role }
   | Working
   | { say: "compiling"; text: string; done: number; total: number }
-  | { say: "problem"; text: string }
+  | { say: "problem"; text: string; of?: string }
   | { say: "saved"; text: string }
   | Stepped
   | Exported
@@ -122,11 +126,14 @@ export function readFrame(message: ArrayBuffer, before: Frame | null): Frame | n
   const head = new DataView(message);
   const [kind, which] = [head.getUint8(0), RESULTS[head.getUint8(1)]];
   const [width, height] = [head.getUint16(2, true), head.getUint16(4, true)];
-  const body = new Uint8Array(message, FRAME_HEAD);
+  const begins = FRAME_HEAD + head.getUint16(6, true);
+  if (message.byteLength < begins) return null;
+  const of = new TextDecoder().decode(message.slice(FRAME_HEAD, begins));
+  const body = new Uint8Array(message, begins);
   const rgb = kind === CHANGES ? changed(body, before) : body;
   if (!which || rgb?.length !== 3 * width * height) return null;
   const [serial, milliseconds] = [head.getUint32(8, true), head.getFloat32(12, true)];
-  return { isPainting: kind === PAINTING, which, width, height, serial, milliseconds, rgb };
+  return { isPainting: kind === PAINTING, which, width, height, serial, milliseconds, of, rgb };
 }
 
 /** A picture with other tiles here and there; null if there is none. */

@@ -20,24 +20,31 @@ export class Result {
   private readonly screen = new Screen(byId("picture"));
   private readonly latency: Latency;
   private newest: Frame | null = null;
+  /** The last that is no step, to go back to. */
+  private live: Frame | null = null;
   private serial = 0;
   private readonly askFrame: () => void;
 
   constructor(latency: Latency) {
     this.latency = latency;
     this.askFrame = atOnceAndPerFrame(() => this.draw());
+    byId("back").onclick = () => {
+      this.newest = this.live;
+      this.askFrame();
+    };
   }
 
   /** Begin again, as the server counts serials from elsewhere. */
   forget(): void {
     this.serial = 0;
-    this.newest = null;
+    this.newest = this.live = null;
   }
 
   show(frame: Frame): void {
     if (frame.serial < this.serial) return;
     this.serial = frame.serial;
     this.newest = frame;
+    if (frame.which !== "step") this.live = frame;
     this.askFrame();
   }
 
@@ -49,6 +56,7 @@ export class Result {
     this.screen.show(width, height, newest.rgb);
     this.which = which;
     byId("empty").hidden = true;
+    byId("back").hidden = which !== "step" || !this.live;
     byId("which").textContent = which;
     byId("which").dataset.which = which;
     byId("took").textContent = timeOf(milliseconds);

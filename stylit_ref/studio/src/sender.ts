@@ -79,7 +79,8 @@ export class Sender {
     clearTimeout(this.timer);
   }
 
-  private flush(): void {
+  /** Show and send what has changed so far. */
+  flush(): void {
     this.painting?.show();
     if (!this.isAllowed || !this.painting) return;
     if (this.unsent) {

@@ -12,7 +12,7 @@ import type { Parameters } from "./parameters.js";
 import { fromRgb } from "./pixels.js";
 import type { Progress } from "./progress.js";
 import { VERSION, type Chosen, type Frame, type Role, type Said, type SceneSaid, type Value, type Welcome, type Which } from "./protocol.js";
-import { sentenceOf } from "./refusals.js";
+import { namePage, sentenceOf } from "./refusals.js";
 import type { Result } from "./result.js";
 import type { Sender } from "./sender.js";
 import type { Steps } from "./steps.js";
@@ -53,12 +53,14 @@ export class Session implements Heard {
   /** Which painting comes next, after a welcome. */
   private awaited: { serial: number; keepsOwn: boolean } | null = null;
   private wasLost = false;
+  /** Whether a scene is. */
+  private isOpening = false;
 
   constructor(parts: Parts) {
     this.parts = parts;
     const { connection } = parts;
     const chosen = byId<HTMLSelectElement>("scene");
-    chosen.onchange = () => connection.ask({ do: "scene", name: chosen.value });
+    chosen.onchange = () => this.open(chosen.value);
     const seed = byId<HTMLInputElement>("seed");
     seed.onchange = () => (seed.checkValidity() ? connection.ask({ do: "seed", value: seed.valueAsNumber }) : seed.reportValidity());
     byId("seed-next").onclick = () => {
@@ -79,7 +81,7 @@ export class Session implements Heard {
         return said.state === "failed" ? notices.problem(said.text) : undefined;
       case "compiling": return progress.compiling(said.text, said.done, said.total);
       case "problem":
-        this.parts.looks.fail();
+        this.parts.looks.fail(said.of);
         exporting.fail(said.text);
         return notices.problem(said.text);
       case "saved": return void (byId("saved").textContent = said.text);
@@ -102,6 +104,9 @@ export class Session implements Heard {
     const { notices, sender, progress } = this.parts;
     sender.allow(false);
     this.letAsk(false);
+    this.isOpening = false;
+    this.awaited = null;
+    this.letPaint();
     progress.forget();
     const isAgain = this.wasLost;
     this.wasLost = true;
@@ -125,8 +130,10 @@ export class Session implements Heard {
 
   private welcome(welcome: Welcome): void {
     const { notices, sender, result, texture } = this.parts;
+    const isFirst = this.role === null;
     if (welcome.version !== VERSION) return notices.while("line", { text: "The studio is of another version than this page. Reload the page." });
     notices.while("line", null);
+    namePage(welcome.page);
     // The studio was started anew on another folder, whose painting this one must not replace.
     if (this.folder !== welcome.painting.name) this.painting = null;
     this.folder = welcome.painting.name;
@@ -149,13 +156,26 @@ export class Session implements Heard {
     byId("views-panel").hidden = !welcome.panels.includes("views");
     if (welcome.panels.includes("texture") && byId("texture-panel").hidden)
       texture.open().catch((error: unknown) => notices.problem(sentenceOf(error)));
-    if (welcome.notes.length) notices.say(welcome.notes.join(" "));
+    if (welcome.notes.length && (isFirst || this.wasLost)) notices.say(welcome.notes.join(" "));
     else if (this.wasLost) notices.say(isAhead ? "Connected again; what you painted meanwhile is sent." : "Connected again.");
     this.wasLost = false;
   }
 
+  /** Another scene. It may have a painting of its own, so the brush waits until it is there. */
+  private open(name: string): void {
+    const { artist, sender, connection, notices } = this.parts;
+    artist.end();
+    sender.flush();
+    if (!connection.ask({ do: "scene", name })) return;
+    this.isOpening = true;
+    this.letPaint();
+    notices.say("The scene is being opened; the brush waits for it.");
+  }
+
   private choose({ scene, step, parameters, weights, layers }: Chosen): void {
     const { turning, looks, guides, steps } = this.parts;
+    this.isOpening = false;
+    this.letPaint();
     this.scene = byId<HTMLSelectElement>("scene").value = scene;
     this.parts.parameters.offer(parameters.fields, parameters.values);
     this.parts.shows(this.now);
@@ -170,14 +190,14 @@ export class Session implements Heard {
   }
 
   private take(role: Role): void {
-    const { notices, connection, artist, sender, looks } = this.parts;
+    const { notices, connection, sender, looks } = this.parts;
     const isReader = role === "reader";
     if (isReader) looks.leave();
     this.role = role;
-    artist.mayPaint = !isReader;
+    this.letPaint();
     sender.allow(false); // until the painting has come that a welcome tells of
-    artist.tell();
     document.body.classList.toggle("reads", isReader);
+    allow("fieldset.brushes", !isReader);
     this.letAsk(!isReader);
     const text = sender.isBehind
       ? "Another page has the brush. This one holds strokes that the studio does not have: take over to keep them."
@@ -188,7 +208,14 @@ export class Session implements Heard {
 
   /** Whether what only a painter may ask can be asked: nothing while the studio does not answer. */
   private letAsk(may: boolean): void {
-    for (const set of document.querySelectorAll<HTMLFieldSetElement>("fieldset.painters")) set.disabled = !may;
+    allow("fieldset.painters", may);
+  }
+
+  /** A painter may paint, but for the time until another painting is there. */
+  private letPaint(): void {
+    const { artist } = this.parts;
+    artist.mayPaint = this.role === "painter" && !this.isOpening && !this.awaited;
+    artist.tell();
   }
 
   private repaint(frame: Frame): void {
@@ -210,6 +237,7 @@ export class Session implements Heard {
       if (frame.serial < sender.serial) sender.sendAll();
       else sender.forget(frame.serial);
     } else if (!isBeginning && !sender.isBehind) this.adopt(frame);
+    this.letPaint();
     sender.allow(this.role === "painter");
   }
 
@@ -228,6 +256,10 @@ export class Session implements Heard {
     if (frame.serial !== sender.serial) artist.forget(); // undo would bring back what others painted over
     sender.forget(frame.serial);
   }
+}
+
+function allow(fieldsets: string, may: boolean): void {
+  for (const set of document.querySelectorAll<HTMLFieldSetElement>(fieldsets)) set.disabled = !may;
 }
 
 function inkOf({ width, height, rgb }: Frame) {

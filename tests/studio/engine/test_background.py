@@ -119,6 +119,21 @@ def test_a_scene_that_cannot_be_read_is_told(background, heard):
     assert failed.text == "golem/FULL.png: no such file"
 
 
+def test_a_failure_that_nobody_foresaw_is_told_and_the_thread_goes_on(monkeypatch, caplog):
+    def fail(background):
+        raise RuntimeError("nobody foresaw it")
+
+    monkeypatch.setattr(Background, "_start", fail)
+    heard = Ears()
+    background = Background(heard, [].append)
+    for _ in range(2):
+        background.begin(wish())
+        failed = heard.next(Working, state="failed")
+        assert failed.text == "something went wrong; the terminal says what"
+    background.close()
+    assert "nobody foresaw it" in caplog.text
+
+
 def test_it_ends_with_its_owner():
     heard = Ears()
     background = Background(heard, [].append)

@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 from small_studio import make_painting, make_scene
 
-from stylit_ref import stylize, write_image
+from stylit_ref import InputError, stylize, write_image
 from stylit_ref.cli import main
 from stylit_ref.files.field import Field
+from stylit_ref.studio.engine import export as export_module
 from stylit_ref.studio.engine.export import export
 from stylit_ref.studio.engine.follower import Follower
 from stylit_ref.studio.engine.parameters import Settings
@@ -140,3 +141,14 @@ def test_buffers_of_another_scene_are_mixed_without_weights(tmp_path):
     settings = Settings().with_weights({"FULL": 3}, scene.buffers)
     run, _ = check(framed(scene, settings).shown(), tmp_path)
     assert "--weight" not in run
+
+
+def test_an_export_that_fails_leaves_no_folder(tmp_path, monkeypatch):
+    def fail(*arguments):
+        raise InputError("the disk is full")
+
+    shown = framed(make_scene()).shown()
+    monkeypatch.setattr(export_module, "write_text", fail)
+    with pytest.raises(InputError, match="the disk is full"):
+        export(shown, tmp_path / "001")
+    assert list(tmp_path.iterdir()) == []

@@ -103,7 +103,7 @@ class Gate:
 def test_a_stroke_is_replayed_at_once_and_coherent_after_a_rest(begun, ears, background):
     begun.paint(3, 4, STROKE, 7)
     assert ears.picture("replay").serial == 7
-    begun.rest(7)
+    begun.rest()
     assert ears.picture("coherent").serial == 7
     begun.look("style")
     painted = make_painting()
@@ -123,7 +123,7 @@ def test_no_rectangle_is_lost(begun, ears):
         begun.paint(x, y, pixels, serial)
         painted[y : y + height, x : x + width] = pixels
         if serial % 20 == 0:
-            begun.rest(serial)
+            begun.rest()
     ears.next(Picture, serial=200)
     begun.look("style")
     assert np.array_equal(ears.picture("look").image, painted)
@@ -132,13 +132,13 @@ def test_no_rectangle_is_lost(begun, ears):
 def test_a_stroke_ends_the_frame_before_it(begun, ears, monkeypatch):
     gate = Gate(monkeypatch)
     begun.paint(3, 4, STROKE, 1)
-    begun.rest(1)
+    begun.rest()
     assert gate.entered.wait(60)
     begun.paint(9, 4, STROKE, 2)
     while ears.picture("replay").serial != 2:
         pass
     gate.open()
-    begun.rest(2)
+    begun.rest()
     assert ears.picture("coherent").serial == 2
 
 
@@ -153,6 +153,27 @@ def test_strokes_do_not_end_the_first_frame(background, ears, monkeypatch):
     live.close()
 
 
+def test_what_waits_while_the_thread_is_busy_is_no_more_than_two_paintings(
+    begun, ears, monkeypatch
+):
+    gate = Gate(monkeypatch)
+    begun.set_seed(4)
+    assert gate.entered.wait(60)
+    monkeypatch.setattr(Follower, "cancel", lambda follower: None)  # as while a kernel is compiled
+    painted = make_painting()
+    for serial in range(1, 101):
+        painted = make_painting(serial)
+        begun.paint(0, 0, painted, serial)
+        painted[4:10, 3:8] = STROKE
+        begun.paint(3, 4, STROKE, serial)
+    waiting = begun._worker._waiting
+    assert sum(pixels.nbytes for _, _, pixels, _ in waiting._rectangles) <= 2 * painted.nbytes
+    gate.open()
+    ears.next(Picture, serial=100)
+    begun.look("style")
+    assert np.array_equal(ears.picture("look").image, painted)
+
+
 def test_a_change_gives_up_what_the_background_made(begun, ears, background):
     made = object()
     background[0].made(made)
@@ -164,7 +185,7 @@ def test_a_change_gives_up_what_the_background_made(begun, ears, background):
 
 
 def test_a_rest_without_a_change_makes_nothing(begun, ears, background):
-    begun.rest(0)
+    begun.rest()
     begun.look("style")
     ears.picture("look")
     assert len(background[0].wishes) == 1
@@ -197,7 +218,7 @@ def test_a_turn_is_warm_cold_or_waits(begun, ears):
     begun.turn(1, warm=True, restylize=False)
     begun.look("B:FULL")
     assert np.array_equal(ears.picture("look").image, make_scene(3).target(1)["FULL"])
-    begun.rest(0)
+    begun.rest()
     assert not np.array_equal(ears.picture("coherent").image, cold)
 
 
@@ -247,7 +268,7 @@ def test_steps_restart_when_the_scene_changes(begun, ears):
 
 
 def test_an_export_says_its_files(begun, ears, tmp_path):
-    begun.export(tmp_path / "new")
+    begun.export(lambda: tmp_path / "new")
     files = ears.next(Exported).files
     assert all((tmp_path / "new" / file).is_file() for file in files)
 
@@ -258,7 +279,7 @@ def test_an_export_says_its_files(begun, ears, tmp_path):
 )
 def test_there_is_much_to_look_at(begun, ears, what):
     begun.look(what)
-    image = ears.picture("look").image
+    image = ears.next(Picture, which="look", of=what).image
     assert image.dtype == np.uint8
     assert image.shape[2] == 3
     assert image.any()
@@ -275,7 +296,7 @@ def test_there_is_much_to_look_at(begun, ears, what):
 )
 def test_what_cannot_be_looked_at_is_told_and_life_goes_on(begun, ears, what, sentence):
     begun.look(what)
-    assert sentence in ears.next(Problem).text
+    assert sentence in ears.next(Problem, of=what).text
     begun.paint(3, 4, STROKE, 1)
     ears.picture("replay")
 

@@ -42,7 +42,9 @@ def open_page(chromium, make_studio):
     contexts, complaints, servers = [], [], []
 
     def tell_far(url):
-        if not url.startswith(("data:", *(server.address for server in servers))):
+        known = (server.address for server in servers)
+        ways_in = (server.login for server in servers if hasattr(server, "login"))
+        if not url.startswith(("data:", *known, *ways_in)):
             complaints.append(url)
 
     def opened(server, size=(1000, 640), context=None, **settings):
@@ -57,6 +59,7 @@ def open_page(chromium, make_studio):
         page.on("pageerror", lambda error: complaints.append(str(error)))
         page.on("request", lambda asked: tell_far(asked.url))
         page.goto(getattr(server, "login", server.address))
+        page.wait_for_url(server.address)
         return StudioPage(page)
 
     opened.complaints = complaints

@@ -54,8 +54,16 @@ def test_a_finger_paints_and_two_fingers_zoom(open_page, studio):
     assert np.array_equal(page.pixels(), painted)
 
 
-def test_sheets_of_a_phone_open_and_close(open_page, studio):
+def test_sheets_of_a_phone_open_and_close_and_notices_take_turns(open_page, studio):
     page = open_page(studio, size=(390, 844), has_touch=True, is_mobile=True).started()
+    for text in ("The target cannot be read.", "The painting is not saved."):
+        studio.say({"say": "problem", "text": text})
+    problems = page.page.locator("#problems p")
+    page.until("document.querySelectorAll('#problems p').length", 2)
+    assert [problems.nth(k).is_visible() for k in range(2)] == [False, True]
+    problems.nth(1).get_by_role("button").tap()
+    assert problems.is_visible()
+    problems.get_by_role("button").tap()
     assert page.page.locator("#size").is_hidden()
     page.page.locator("#brush-open").tap()
     assert page.page.locator("#size").is_visible()
@@ -66,6 +74,8 @@ def test_sheets_of_a_phone_open_and_close(open_page, studio):
     assert page.page.locator("#hue").is_hidden()
     page.page.locator("#panels-open").tap()
     assert page.page.locator("#turn").is_visible()
+    boxes = [page.page.locator(f"#{name}").bounding_box() for name in ("picture", "panels")]
+    assert boxes[0]["y"] + boxes[0]["height"] <= boxes[1]["y"]
     page.page.locator("#panels-close").tap()
     assert page.page.locator("#turn").is_hidden()
 

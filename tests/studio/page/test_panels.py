@@ -16,9 +16,14 @@ def page(open_page, studio):
 def test_the_target_is_chosen(page, studio):
     page.page.locator("#scene").select_option("teapot")
     assert studio.asks("scene") == {"do": "scene", "name": "teapot"}
+    page.stroke((40, 60), (100, 60))
+    assert np.array_equal(page.pixels(), studio.beginning)
+    assert page.text("said") == "The scene is being opened; the brush waits for it."
     studio.say({**studio.welcome("painter"), "say": "scene", "scene": "teapot"})
     page.until("document.getElementById('turn-panel').hidden")
     assert page.page.locator("#guides input[type=checkbox]").count() == 0
+    page.stroke((40, 60), (100, 60))
+    assert not np.array_equal(page.pixels(), studio.beginning)
 
 
 def test_the_target_is_turned_by_slider_drag_and_keys(page, studio):
@@ -48,13 +53,18 @@ def test_looks_lie_over_the_pictures(page, studio):
     assert studio.asks("look") == {"do": "look", "what": "A:LDE"}
     page.page.locator("#picture-look-choice").select_option("level:2")
     page.until("document.getElementById('picture-look').hidden", False)
+    assert page.text("picture-looked").split() == ["Level", "2", "Hide", "over"]
     page.set("picture-look-strength", 40)
     assert page.page.locator("#picture-look").evaluate("(it) => it.style.opacity") == "0.4"
+    studio.say({"say": "problem", "text": "There is no level 2.", "of": "level:2"})
+    page.until("document.getElementById('picture-looked').hidden")
+    assert page.page.locator("#painting-look").is_visible()
     studio.asked.clear()
     page.stroke((40, 60), (60, 60))
     assert studio.asks("look") == {"do": "look", "what": "level:2"}
-    page.page.locator("#painting-look-choice").select_option("")
+    page.page.locator("#painting-look-away").click()
     assert page.page.locator("#painting-look").is_hidden()
+    assert page.page.locator("#painting-look-choice").input_value() == ""
 
 
 def test_single_operations(page, studio):
@@ -66,6 +76,10 @@ def test_single_operations(page, studio):
     assert page.page.locator("#operations button:enabled").all_text_contents() == [
         "Half iteration", "Blend",
     ]  # fmt: skip
+    page.until("document.getElementById('which').textContent", "step")
+    page.page.locator("#back").click()
+    page.until("document.getElementById('which').textContent", "coherent")
+    assert page.page.locator("#back").is_hidden()
 
 
 def test_parameters_of_every_kind(page, studio):

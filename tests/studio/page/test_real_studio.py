@@ -27,7 +27,9 @@ REFUSED = "ERR_CONNECTION_REFUSED", "403"
 @pytest.fixture
 def begin(tmp_path):
     """Starts the program; it goes on with the painting of before."""
-    running = []
+    running, opened, browser = [], tmp_path / "opened", tmp_path / "browser"
+    browser.write_text(f'#!/bin/sh\necho "$1" > {opened}.part; mv {opened}.part {opened}\n')
+    browser.chmod(0o700)
     things = np.zeros((*SIZE, 3), np.uint8)
     things[8:20, 8:24] = 255
     for seed, name in enumerate(("source", "target")):
@@ -37,16 +39,20 @@ def begin(tmp_path):
     def begun(port=0):
         command = (sys.executable, "-m", "stylit_ref", "studio", tmp_path / "target")
         options = ("--source", tmp_path / "source", "--painting", tmp_path / "painting")
+        opened.unlink(missing_ok=True)
         process = subprocess.Popen(
-            [*command, *options, "--no-browser", "--port", str(port), "--threads", "1"],
-            stdout=subprocess.PIPE, env={**os.environ, "PYTHONUNBUFFERED": "1"}, text=True,
+            [*command, *options, "--port", str(port), "--threads", "1"], stdout=subprocess.PIPE,
+            env={**os.environ, "PYTHONUNBUFFERED": "1", "BROWSER": f"{browser} %s"}, text=True,
         )  # fmt: skip
         running.append(process)
         first = process.stdout.readline()
         address = re.search(r"(http://127.0.0.1:(\d+)/)\?token=\S+", first)
+        while not opened.exists():
+            time.sleep(0.05)
         return SimpleNamespace(
-            process=process, login=address[0], address=address[1], port=int(address[2])
-        )
+            process=process, login=opened.read_text().strip(), address=address[1],
+            port=int(address[2]),
+        )  # fmt: skip
 
     yield begun
     for process in running:
@@ -57,6 +63,7 @@ def begin(tmp_path):
 
 def test_the_target_follows_a_stroke_and_the_painting_is_saved(begin, open_page, tmp_path):
     studio = begin()
+    assert studio.login == (tmp_path / "painting" / "open_studio.html").as_uri()  # and no token
     page = open_page(studio).started(COMPILED)
     page.until(NEWEST, "fast", COMPILED)
     page.set("colour-number", "#00ff00")

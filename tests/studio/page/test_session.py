@@ -31,7 +31,9 @@ def test_a_second_tab_looks_on_until_it_takes_over(open_page, studio):
     second.until(f"{LINE}.startsWith('Another page has the brush; this one looks on.')")
     second.stroke((20, 20), (60, 20))
     assert np.array_equal(second.pixels(), studio.beginning)
-    assert second.page.locator("#finish").is_disabled()
+    for name in ("finish", "colour", "size"):
+        assert second.page.locator(f"#{name}").is_disabled()
+    assert second.page.get_by_role("button", name="Hand").is_enabled()
 
     first.stroke((40, 60), (100, 60))
     second.until("window.stylitStudio.sender.serial", first.sent())
@@ -40,6 +42,7 @@ def test_a_second_tab_looks_on_until_it_takes_over(open_page, studio):
     second.page.get_by_role("button", name="Take over").click()
     first.until(f"{LINE}.startsWith('Another page has the brush')")
     second.until(LINE, "")
+    assert second.page.locator("#size").is_enabled()
     second.stroke((20, 20), (60, 20))
     second.until("window.stylitStudio.sender.isBehind", False)
     first.until(
@@ -148,3 +151,8 @@ def test_what_the_server_says_is_shown(open_page, studio):
     assert problem.locator("span").text_content() == "Out of memory."
     problem.get_by_role("button").click()
     assert problem.count() == 0
+    page.page.clock.install()
+    studio.say({"say": "notes", "texts": ["It is read, and passes."]})
+    page.until("document.getElementById('said').textContent", "It is read, and passes.")
+    page.page.clock.fast_forward(20_000)
+    assert page.text("said") == ""

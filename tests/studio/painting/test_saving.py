@@ -102,6 +102,28 @@ def test_what_cannot_be_saved_is_told_and_tried_once_more_in_the_end(tmp_path):
     assert (read_image(tmp_path / "painting" / "style.png") == 2).all()
 
 
+def test_a_failure_that_nobody_foresaw_is_told_and_saving_goes_on(tmp_path, monkeypatch, caplog):
+    told, first = [], Event()
+
+    def tell(error):
+        told.append(error)
+        first.set()
+
+    def fail(folder, state):
+        monkeypatch.undo()
+        raise RuntimeError("nobody foresaw it")
+
+    monkeypatch.setattr(PaintingFolder, "save", fail)
+    autosave = Autosave(PaintingFolder(tmp_path), tell)
+    autosave.save(saved(1))
+    assert first.wait(10)
+    assert "nobody foresaw it" in caplog.text
+    assert str(told[0]) == "something went wrong; the terminal says what"
+    autosave.save(saved(2))
+    autosave.close()
+    assert (read_image(tmp_path / "style.png") == 2).all()
+
+
 def test_an_easel_that_cannot_be_closed_goes_on(tmp_path):
     easel = Easel(PaintingFolder(tmp_path / "painting"), saved(1), [].append)
     (tmp_path / "painting").write_text("a file")

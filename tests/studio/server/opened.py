@@ -34,6 +34,12 @@ class Opened(NamedTuple):
     def socket(self):
         return Socket(self.app, headers_of(self.access))
 
+    async def page(self):
+        """Open a page: its socket, and what posts in its name."""
+        socket = self.socket()
+        name = (await socket.hello())["page"]
+        return socket, functools.partial(self.post, **{"stylit-page": name})
+
 
 @asynccontextmanager
 async def opened(folder, panels=(), beginning=None, **more):

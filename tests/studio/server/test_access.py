@@ -63,7 +63,7 @@ def test_the_token_is_exchanged_for_a_cookie(studio):
     assert answer.status == 303
     assert answer.headers["location"] == "/"
     cookie = answer.headers["set-cookie"]
-    assert cookie.endswith("; HttpOnly; SameSite=Strict; Path=/")
+    assert cookie.endswith("; HttpOnly; SameSite=Lax; Path=/")
     assert access.token not in cookie
     sent = cookie.partition(";")[0]
     assert run(found.get("/", cookie=False, origin=False)).status == 403

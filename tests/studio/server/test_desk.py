@@ -21,11 +21,13 @@ from studio.small_studio import (
 )
 
 from stylit_ref import InputError, read_image, write_image
-from stylit_ref.studio.engine.events import Compiling, Problem, Working
+from stylit_ref.studio.engine.events import Compiling, Picture, Problem, Working
 from stylit_ref.studio.painting.easel import LEAP
 from stylit_ref.studio.painting.folder import PaintingFolder
+from stylit_ref.studio.painting.paint_file import read_paint
 from stylit_ref.studio.scene_files.offer import offer_of_files
 from stylit_ref.studio.scene_files.shelf import Shelf
+from stylit_ref.studio.server import beginning as beginning_module
 from stylit_ref.studio.server.beginning import begin
 from stylit_ref.studio.server.protocol import parse_paint
 
@@ -137,9 +139,12 @@ async def test_looks_are_for_the_painter(tmp_path):
         first, second = found.socket(), found.socket()
         await first.hello()
         await second.hello()
-        found.engine.show("look", 1)
+        for of in ("nnf", "A:FULL"):
+            found.engine.tell(Picture("look", np.zeros((2, 3, 3), np.uint8), 1, 1.5, of))
         found.engine.show("fast", 2)
-        assert (await first.shown(1))[1] == 6
+        for of in (b"nnf", b"A:FULL"):
+            look = await first.shown(1)
+            assert (look[1], look[16 : 16 + len(of)]) == (6, of)
         assert (await second.shown(1))[1] == 3
 
 
@@ -166,7 +171,6 @@ async def test_wishes_reach_the_engine(tmp_path):
         page.say(do="step", operation="half")
         page.say(do="look", what="nnf")
         page.say(do="export")
-        page.say(do="export")
         page.say(do="scene", name="two")
         chosen = await page.said("scene")
         assert chosen["scene"] == "two"
@@ -177,13 +181,9 @@ async def test_wishes_reach_the_engine(tmp_path):
         assert "steps" in (await page.said("problem"))["text"]
         names = [name for name, *_ in found.engine.calls]
         assert names == ["begin", "set_parameters", "set_weights", "set_seed", "step", "look",
-                         "export", "export", "choose_scene", "choose_scene"]  # fmt: skip
+                         "export", "choose_scene", "choose_scene"]  # fmt: skip
         assert found.engine.calls[3] == ("set_seed", 5)
-        exports = tmp_path / "painting" / "exports"
-        assert [folder for _, folder in found.engine.calls[6:8]] == [
-            exports / "001",
-            exports / "002",
-        ]
+        assert found.engine.calls[6][1]() == tmp_path / "painting" / "exports" / "001"
         assert found.engine.calls[-1][1].buffers == ("FULL",)
 
 
@@ -321,6 +321,24 @@ async def test_strokes_on_their_way_do_not_land_on_the_painting_of_another_scene
 
 
 @in_loop
+async def test_whoever_takes_over_while_a_scene_is_opened_paints_on_its_painting(tmp_path):
+    async with opened(tmp_path, beginning=several_sizes(tmp_path)) as found:
+        first, second = found.socket(), found.socket()
+        await first.hello()
+        await second.hello()
+        first.say(do="scene", name="three")
+        second.say(do="take_over")
+        assert (await second.said("welcome"))["painting"]["width"] == 40
+        assert (await second.said("role"))["role"] == "painter"
+        painting = (await second.said("welcome"))["painting"]
+        assert painting["width"] == 40
+        second.bytes(stroke(painting["serial"] + 1, 30, 20))
+        while image_of(await second.shown(1))[1] != painting["serial"] + 1:
+            pass
+        assert found.engine.calls[-1][0] == "paint"
+
+
+@in_loop
 async def test_what_cannot_be_saved_in_the_end_is_an_error(tmp_path):
     async with opened(tmp_path) as found:
         page = found.socket()
@@ -390,6 +408,22 @@ def test_a_watched_file_that_is_another_one_is_saved_at_once(tmp_path):
     assert np.array_equal(read_image(tmp_path / "painting" / "style.png"), painting)
     kept = tmp_path / "painting" / "replaced"
     assert [file.name for file in kept.iterdir()] == ["style_001.png"]
+
+
+def test_a_watched_file_that_is_saved_while_the_studio_starts_is_seen(tmp_path, monkeypatch):
+    before, after = (np.full((*SIZE, 3), value, np.uint8) for value in (6, 7))
+    write_image(tmp_path / "krita.png", before)
+
+    def read_and_save(file, size):
+        painting = read_paint(file, size)
+        write_image(file, after)
+        return painting
+
+    monkeypatch.setattr(beginning_module, "read_paint", read_and_save)
+    beginning = small_beginning(tmp_path, watched=tmp_path / "krita.png")
+    assert np.array_equal(beginning.saved.painting, before)
+    assert beginning.watch.look() is None  # it may be written still
+    assert np.array_equal(beginning.watch.look(), after)
 
 
 @in_loop

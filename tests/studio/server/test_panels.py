@@ -58,12 +58,13 @@ async def test_patches_are_dropped(tmp_path):
     async with opened(tmp_path, [texture_panel(texture)]) as found:
         assert (await found.get("/texture/exemplar")).body.startswith(b"\x89PNG")
         assert (await found.get("/texture/picture")).body.startswith(b"\x89PNG")
+        _page, post = await found.page()
         asked = json.dumps({"from": [4, 5], "to": [1, 2], "keep": True}).encode()
-        answer = await found.post("/texture/drop", asked)
+        answer = await post("/texture/drop", asked)
         assert answer.headers["content-type"] == "image/png"
         assert texture.calls == [((4, 5), (1, 2), True)]
         asked = json.dumps({"from": [0, 0], "to": [1, 2], "keep": False}).encode()
-        answer = await found.post("/texture/drop", asked)
+        answer = await post("/texture/drop", asked)
         assert (answer.status, answer.body) == (400, b"source is too close to its border.\n")
 
 
@@ -79,7 +80,8 @@ def test_bodies_that_no_page_sends_are_a_sentence(tmp_path, body):
     async def refused():
         texture = NotedTexture()
         async with opened(tmp_path, [texture_panel(texture)]) as found:
-            answer = await found.post("/texture/drop", body)
+            _page, post = await found.page()
+            answer = await post("/texture/drop", body)
             assert answer.status == 400
             assert answer.body.count(b"\n") == 1
             assert texture.calls == []
@@ -137,15 +139,14 @@ async def test_a_scan_becomes_the_painting(tmp_path):
     painted = draw_sheet(offer.rendering(), offer.things()).convert("RGB")
     painted.paste(Image.fromarray(painting).resize(layout), place)
     async with opened(tmp_path, [scan_panel()]) as found:
-        live = found.socket()
-        await live.hello()
+        live, post = await found.page()
         pdf = await found.get("/sheet.pdf")
         assert pdf.headers["content-type"] == "application/pdf"
         assert pdf.body.startswith(b"%PDF")
-        early = await found.post("/scan/corners", b'{"corners": [[0,0],[9,0],[9,9],[0,9]]}')
+        early = await post("/scan/corners", b'{"corners": [[0,0],[9,0],[9,9],[0,9]]}')
         assert (early.status, early.body) == (404, b"Send a photograph first.\n")
         small = painted.resize((1240, 1754))
-        told = json.loads((await found.post("/scan", png(small))).body)
+        told = json.loads((await post("/scan", png(small))).body)
         assert (told["width"], told["height"]) == (1240, 1754)
         assert np.allclose(told["corners"][0], np.array(place) / 2, atol=2)
         assert told["text"] in (await live.said("notes"))["texts"][0]
@@ -157,13 +158,14 @@ async def test_a_scan_becomes_the_painting(tmp_path):
 async def test_a_photograph_without_marks_waits_for_its_corners(tmp_path):
     photograph = Image.new("RGB", (300, 200), (200, 100, 50))
     async with opened(tmp_path, [scan_panel()]) as found:
-        answer = await found.post("/scan", png(photograph))
+        _page, post = await found.page()
+        answer = await post("/scan", png(photograph))
         told = json.loads(answer.body)
         assert (answer.status, told["corners"]) == (200, None)
         assert "marks" in told["text"]
-        wrong = await found.post("/scan/corners", b'{"corners": [[0,0],[0,0],[0,0],[0,0]]}')
+        wrong = await post("/scan/corners", b'{"corners": [[0,0],[0,0],[0,0],[0,0]]}')
         assert wrong.status == 400
-        right = await found.post("/scan/corners", CORNERS)
+        right = await post("/scan/corners", CORNERS)
         assert right.status == 200
         assert found.engine.calls[-1] == ("replace_painting", LEAP)
 
@@ -171,28 +173,49 @@ async def test_a_photograph_without_marks_waits_for_its_corners(tmp_path):
 @in_loop
 async def test_a_scan_is_refused_if_what_it_replaces_cannot_be_kept(tmp_path):
     async with opened(tmp_path, [scan_panel()]) as found:
-        page = found.socket()
-        await page.hello()
+        page, post = await found.page()
         page.bytes(stroke(1))
         await page.shown(1)
         (tmp_path / "painting").mkdir()
         (tmp_path / "painting" / "replaced").write_text("a file")
-        await found.post("/scan", png(Image.new("RGB", (300, 200), (200, 100, 50))))
-        answer = await found.post("/scan/corners", CORNERS)
+        await post("/scan", png(Image.new("RGB", (300, 200), (200, 100, 50))))
+        answer = await post("/scan/corners", CORNERS)
         assert answer.status == 400
         assert answer.body.startswith(b"the painting stays, since it cannot be kept: ")
         assert found.engine.calls[-1][0] == "paint"
 
 
 @in_loop
+async def test_a_page_that_looks_on_can_neither_scan_nor_drop(tmp_path):
+    panels = [scan_panel(), texture_panel(NotedTexture())]
+    async with opened(tmp_path, panels) as found:
+        painter, post = await found.page()
+        reader, post_of_reader = await found.page()
+        photograph = png(Image.new("RGB", (300, 200), (200, 100, 50)))
+        for path, body in (
+            ("/scan", photograph),
+            ("/scan/corners", CORNERS),
+            ("/texture/drop", b""),
+        ):
+            for refused in (found.post, post_of_reader):
+                answer = await refused(path, body)
+                assert (answer.status, answer.body) == (
+                    403, b"This page looks on. Take over to paint here.\n",
+                )  # fmt: skip
+        reader.say(do="take_over")
+        await painter.said("role")
+        assert (await post("/scan", photograph)).status == 403
+        assert (await post_of_reader("/scan", photograph)).status == 200
+
+
+@in_loop
 async def test_sheet_and_scan_are_those_of_the_scene_that_is_open(tmp_path):
     async with opened(tmp_path, [scan_panel()], several_sizes(tmp_path)) as found:
-        page = found.socket()
-        await page.hello()
+        page, post = await found.page()
         page.say(do="scene", name="three")
         await page.said("welcome")
-        await found.post("/scan", png(Image.new("RGB", (300, 200), (200, 100, 50))))
-        assert (await found.post("/scan/corners", CORNERS)).status == 200
+        await post("/scan", png(Image.new("RGB", (300, 200), (200, 100, 50))))
+        assert (await post("/scan/corners", CORNERS)).status == 200
         assert found.engine.painting.shape == (30, 40, 3)
         assert found.engine.calls[-1][0] == "replace_painting"
 
@@ -206,7 +229,8 @@ def test_what_is_no_photograph_is_a_sentence(tmp_path, body):
     @in_loop
     async def refused():
         async with opened(tmp_path, [scan_panel()]) as found:
-            answer = await found.post("/scan", body)
+            _page, post = await found.page()
+            answer = await post("/scan", body)
             assert answer.status == 400
             assert answer.body.startswith(b"the photograph: ")
             assert answer.body.endswith(b".\n")

@@ -5,6 +5,7 @@ import json
 import os
 import signal
 import socket
+import stat
 import threading
 
 import pytest
@@ -16,8 +17,10 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 from stylit_ref import InputError, read_image
 from stylit_ref.studio.server.access import Access
 from stylit_ref.studio.server.door import USUAL_PORT, open_door, port_of
+from stylit_ref.studio.server.panel import Panel
 from stylit_ref.studio.server.protocol import LARGEST_MESSAGE
 from stylit_ref.studio.server.serve import serve
+from stylit_ref.studio.server.way_in import way_in
 
 
 @pytest.fixture
@@ -27,7 +30,7 @@ def served(tmp_path):
     As a program it is interrupted in the end.
     """
 
-    def run(visit):
+    def run(visit, panels=()):
         door = open_door(0)
         access, failures = Access(port_of(door)), []
 
@@ -40,7 +43,10 @@ def served(tmp_path):
 
         visitor = threading.Thread(target=visiting)
         with pytest.raises(KeyboardInterrupt):
-            serve(small_beginning(tmp_path), NotedEngine, door, access, listens=visitor.start)
+            serve(
+                small_beginning(tmp_path), NotedEngine, door, access, panels=panels,
+                listens=visitor.start,
+            )  # fmt: skip
         visitor.join()
         if failures:
             raise failures[0]
@@ -77,6 +83,19 @@ def test_a_page_paints_and_the_painting_is_saved_when_it_ends(served, tmp_path, 
     assert (read_image(tmp_path / "painting" / "style.png")[4:6, 3:8] == 200).all()
     said = capfd.readouterr()
     assert said.out + said.err == ""
+
+
+def test_a_second_interruption_while_it_ends_does_not_skip_the_last_save(served, tmp_path):
+    async def visit(access):
+        async with page(access) as live:
+            await live.send('{"do": "hello", "version": 2}')
+            await live.send(stroke(5))
+
+    def impatient():
+        os.kill(os.getpid(), signal.SIGINT)
+
+    served(visit, [Panel("impatient", [], impatient)])
+    assert (read_image(tmp_path / "painting" / "style.png")[4:6, 3:8] == 200).all()
 
 
 def test_strangers_and_broken_frames_are_refused_without_a_word_in_the_log(served, capfd):
@@ -132,3 +151,16 @@ def test_a_port_that_is_taken_is_refused_by_name_and_passed_over_without():
     with usual, open_door(None) as door:
         assert USUAL_PORT < port_of(door) < USUAL_PORT + 20
         assert door.getsockname()[0] == "127.0.0.1"
+
+
+def test_the_way_in_is_for_its_owner_alone_and_goes_in_the_end(tmp_path):
+    file = tmp_path / "open_studio.html"
+    file.write_text("of a studio that was killed")
+    file.chmod(0o644)
+    address = "http://127.0.0.1:8517/?token=abc"
+    with way_in(tmp_path, address) as own:
+        assert own == file.as_uri()
+        assert f"url={address}" in file.read_text()
+        if os.name == "posix":
+            assert stat.S_IMODE(file.stat().st_mode) == 0o600
+    assert not file.exists()
