@@ -11,6 +11,7 @@ from stylit_ref.files.colour.profile import ColourProfile
 from stylit_ref.files.disk.whole_file import write_text
 from stylit_ref.files.field import Field
 from stylit_ref.files.guides.encoding import GuideEncoding
+from stylit_ref.files.motion_exr import write_motion
 from stylit_ref.files.nnf_file import write_nnf
 from stylit_ref.files.npy_file import write_arrays
 from stylit_ref.files.write_image import write_image
@@ -149,8 +150,9 @@ class RunWriter:
 
     def _motion(self, to, other):
         file = self._files.motion[to, other]
-        motion = self._problem.shot.motion(to, other)
-        return {"to": to, "other": other, "file": self._arrays(file, motion)}
+        write_motion(self.folder / file, *self._problem.shot.motion(to, other))
+        self._note(file)
+        return {"to": to, "other": other, "file": file}
 
     def _note(self, *files):
         for file in files:
