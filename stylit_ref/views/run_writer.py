@@ -91,7 +91,10 @@ class RunWriter:
                 {"name": name, "camera": None if cameras is None else dict(cameras[frame])}
                 for frame, name in enumerate(shot.names)
             ],
-            "motion": [self._motion(*pair) for pair in shot.pairs],
+            "motion": [
+                {"to": to, "other": other, "file": self._files.motion[to, other]}
+                for to, other in shot.pairs
+            ],
         }
         if mesh is not None:
             self._facts["mesh"] = self._arrays(self._files.mesh, mesh)
@@ -102,7 +105,7 @@ class RunWriter:
                 facts["positions"] = self._arrays(file, positions(frame))
 
     def add(self, result: FrameResult) -> None:
-        """Write the picture and the NNF of a frame."""
+        """Write the picture and the NNF of a frame, and the motion from it into others."""
         frame = self._facts["frames"][result.frame]
         frame["picture"] = self._files.pictures[result.frame]
         frame["nnf"] = self._files.nnfs[result.frame]
@@ -117,6 +120,10 @@ class RunWriter:
         )  # fmt: skip
         write_nnf(self.folder / frame["nnf"], field)
         self._note(frame["picture"], frame["nnf"])
+        for pair, file in self._files.motion.items():
+            if pair[0] == result.frame:
+                write_motion(self.folder / file, *self._problem.shot.motion(*pair))
+                self._note(file)
 
     def finish(self) -> "Run":
         """Write ``run.json``, when every frame has been added.
@@ -147,12 +154,6 @@ class RunWriter:
         write_arrays(self.folder / file, list(arrays))
         self._note(file)
         return file
-
-    def _motion(self, to, other):
-        file = self._files.motion[to, other]
-        write_motion(self.folder / file, *self._problem.shot.motion(to, other))
-        self._note(file)
-        return {"to": to, "other": other, "file": file}
 
     def _note(self, *files):
         for file in files:

@@ -86,6 +86,24 @@ def test_its_facts_follow_the_schema(made):
     jsonschema.validate(made[0].facts, json.loads(SCHEMA.read_text()))
 
 
+def test_motion_is_read_when_its_frame_is_added(tmp_path):
+    scene, read = sliding(frames=2), []
+
+    class Counting(ArrayShot):
+        def motion(self, to, other):
+            read.append((to, other))
+            return super().motion(to, other)
+
+    shot = Counting(scene.guides, scene.edges)
+    arguments = scene.style, scene.sources, shot, Params(**EFFORT)
+    results = list(stylize_views(*arguments))
+    read.clear()
+    writer = RunWriter(tmp_path, make_problem(*arguments))
+    assert read == []
+    writer.add(results[1])
+    assert read == [(1, 0)]
+
+
 def test_names_become_names_of_files(made):
     frames = made[0].facts["frames"]
     assert [frame["nnf"] for frame in frames] == ["nnfs/0_0.npy", "nnfs/0_1.npy"]
