@@ -3,6 +3,7 @@
 import argparse
 import sys
 from collections.abc import Sequence
+from dataclasses import replace
 from time import perf_counter
 
 from stylit_ref.cli.finished import counted_frames
@@ -13,6 +14,7 @@ from stylit_ref.files.colour.profile import read_colour_profile
 from stylit_ref.files.disk.paths import check_folder
 from stylit_ref.notes import note
 from stylit_ref.stylization.params import Params
+from stylit_ref.views.keyframes import weights_with_time
 from stylit_ref.views.params import Coherence
 from stylit_ref.views.problem import make_problem
 from stylit_ref.views.run_writer import RunWriter
@@ -61,12 +63,16 @@ def stylize_shot(
             line.tell(step.done, _place(step))
 
         shot = read_shot(options, files, line)
+        if files.times:
+            of_files, keyframes = sum(shot.shot.channels), len(files.times.paintings)
+            weights = weights_with_time(params.guide_weights, of_files, keyframes)
+            params = replace(params, guide_weights=weights)
         outputs = check_shot_outputs(options, files, shot, params, pictures, fields)
         if options.work:
             check_folder(options.work)
         if not coherence.weight:
             note(alone if options.weight is None else _UNUSED)
-        channels = shot.style.shape[2], shot.shot.channels
+        channels = shot.style.shape[2], tuple(guide.shape[2] for guide in shot.source_guides)
         line.compile(lambda: kernels_of_frames(params, coherence, *channels))
         writer = _run_writer(options, files, shot, params, coherence, mesh) if options.run else None
         try:
