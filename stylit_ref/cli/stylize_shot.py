@@ -20,6 +20,7 @@ from stylit_ref.views.problem import make_problem
 from stylit_ref.views.run_writer import RunWriter
 from stylit_ref.views.stylize_views import stylize_views
 from stylit_ref.views.warm_up import kernels_of_frames
+from stylit_ref.views.work.behind import Behind
 
 _UNUSED = "--coherence is 0, so the motion is not used; with a larger number strokes move along"
 
@@ -75,17 +76,23 @@ def stylize_shot(
         channels = shot.style.shape[2], tuple(guide.shape[2] for guide in shot.source_guides)
         line.compile(lambda: kernels_of_frames(params, coherence, *channels))
         writer = _run_writer(options, files, shot, params, coherence, mesh) if options.run else None
+
+        def write(frame, writing):
+            nonlocal done
+            writing()
+            done += 1
+            line.wrote(pictures[frame], done, len(pictures))
+
         try:
-            for result in stylize_views(
-                shot.style, shot.source_guides, shot.shot, params, coherence,
-                seed=options.seed, threads=options.threads, work=options.work,
-                scheduler=options.scheduler, progress=progress,
-            ):  # fmt: skip
-                outputs.write(result)
-                if writer:
-                    writer.add(result)
-                done += 1
-                line.wrote(pictures[result.frame], done, len(pictures))
+            with Behind() as behind:
+                for result in stylize_views(
+                    shot.style, shot.source_guides, shot.shot, params, coherence,
+                    seed=options.seed, threads=options.threads, work=options.work,
+                    scheduler=options.scheduler, progress=progress,
+                ):  # fmt: skip
+                    behind.do(write, result.frame, outputs.writing(result))
+                    if writer:
+                        writer.add(result)
             if writer:
                 writer.finish()
         except KeyboardInterrupt:

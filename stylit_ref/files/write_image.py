@@ -25,11 +25,13 @@ from stylit_ref.files.disk.whole_file import temporary_name, whole_file
 FLOAT_FORMATS = (".exr", ".hdr", ".pfm")
 """Suffixes of formats that store scene-linear floating point."""
 
-_KEEP_STROKES = {
+_SETTINGS = {
     "jpeg": {"jpeg:subsampling": "4:4:4", "Compression": "jpeg:98"},
     "webp": {"Compression": "lossless"},
+    "png": {"png:compressionLevel": 4},
 }
-"""By format, what OpenImageIO is told: at its defaults thin strokes lose their colour."""
+"""By format, what OpenImageIO is told. At its defaults thin strokes lose their colour in JPEG and
+WebP, and PNG takes half as long again for paintings that become smaller by a hundredth."""
 
 
 def write_image(
@@ -160,7 +162,7 @@ def _as_stored(image, path, curve):
         image = to_uint8(image, alpha_channel, curve=curve)
     spec = oiio.ImageSpec(width, height, channels, stored)
     file_format = oiio.ImageOutput.create(str(path)).format_name()
-    for name, value in _KEEP_STROKES.get(file_format, {}).items():
+    for name, value in _SETTINGS.get(file_format, {}).items():
         spec.attribute(name, value)
     if alpha_channel is not None:
         spec.alpha_channel = alpha_channel
