@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import pairwise
 from typing import TypeVar
 
@@ -203,8 +204,11 @@ def _one_way(path, convention):
 
 
 def _reading(files: Mapping[int, str], read: Callable[[str], Read]) -> Callable[[int], Read | None]:
-    """What gives the content of a frame's file, None where it has none."""
-    return lambda frame: read(files[frame]) if frame in files else None
+    """What gives the content of a frame's file, None where it has none.
+
+    It remembers two frames: those that a step leads between are asked for again and again.
+    """
+    return lru_cache(maxsize=2)(lambda frame: read(files[frame]) if frame in files else None)
 
 
 def read_depth(path: str) -> NDArray[np.float32]:
@@ -245,4 +249,7 @@ def read_ids(path: str) -> NDArray[np.int64]:
         return labels_of(picture)
     if colours.dtype == np.float32:
         raise InputError(NO_IDS.format(path))
-    return colours.astype(np.int64) @ (1 << 16 * np.arange(colours.shape[2], dtype=np.int64))
+    ids = np.zeros(colours.shape[:2], np.int64)
+    for channel in range(colours.shape[2]):
+        ids |= colours[:, :, channel].astype(np.int64) << 16 * channel
+    return ids

@@ -30,10 +30,14 @@ class Paintings(NamedTuple):
         One, or several painted frames.
     guides : list of list of str
         For every painting the file of each guide.
+    keyframes : tuple of int
+        Numbers of the frames of the shot that were painted, if there are several; empty where
+        something else was painted.
     """
 
     files: list[str]
     guides: list[list[str]]
+    keyframes: tuple[int, ...] = ()
 
 
 def find_paintings(options: argparse.Namespace, problems: ShotProblems) -> Paintings:
@@ -71,7 +75,10 @@ def find_paintings(options: argparse.Namespace, problems: ShotProblems) -> Paint
     guides = [
         files_of_frame(options, patterns, frame, problems) for frame in painted if not missing
     ]
-    return Paintings([style.path(frame) for frame in painted], guides)
+    are_of_shot = len(painted) > 1 and all(source == target for source, target in options.guide)
+    return Paintings(
+        [style.path(frame) for frame in painted], guides, tuple(painted) if are_of_shot else ()
+    )
 
 
 def paintings_of(style: str) -> list[str]:

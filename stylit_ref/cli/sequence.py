@@ -8,10 +8,11 @@ from stylit_ref.cli.method_options import chosen_params
 from stylit_ref.cli.motion_in import add_motion_options, find_motion
 from stylit_ref.cli.paintings import find_paintings
 from stylit_ref.cli.parser import FRAMES, Parser
-from stylit_ref.cli.shot_in import ShotFiles
+from stylit_ref.cli.shot_in import ShotFiles, Times
 from stylit_ref.cli.shot_options import add_other_outputs, add_shot_options, chosen_coherence
 from stylit_ref.cli.shot_problems import ShotProblems
 from stylit_ref.cli.stylize_shot import stylize_shot
+from stylit_ref.views.keyframes import values_of_time
 from stylit_ref.views.params import SEQUENCE
 
 _USAGE = (
@@ -93,15 +94,24 @@ def run(options: argparse.Namespace) -> None:
     problems.refuse()
     digits = len(str(found.frames[-1]))
     files = ShotFiles(
-        *paintings,
+        paintings.files,
+        paintings.guides,
         [str(frame).zfill(digits) for frame in found.frames],
         found.guides,
         motion,
         problems,
         masks,
         fills,
+        _times(found.frames, paintings.keyframes),
     )
     pictures, fields = (
         [pattern.path(frame) for frame in found.frames] if pattern else [] for pattern in outputs
     )
     stylize_shot(options, files, params, coherence, pictures, fields, _ALONE)
+
+
+def _times(frames, keyframes):
+    """When frames and paintings are, if several frames of the shot were painted."""
+    if not keyframes:
+        return None
+    return Times(*(values_of_time(each, keyframes) for each in (keyframes, frames)))

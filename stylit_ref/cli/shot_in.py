@@ -30,6 +30,19 @@ from stylit_ref.stylization.checks import (
 from stylit_ref.views.file_shot import FileShot
 
 
+class Times(NamedTuple):
+    """The guide of time (:mod:`stylit_ref.views.keyframes`).
+
+    Attributes
+    ----------
+    paintings, frames : sequences of int
+        Its value in every painting, and in every frame.
+    """
+
+    paintings: Sequence[int]
+    frames: Sequence[int]
+
+
 class ShotFiles(NamedTuple):
     """The files of a shot.
 
@@ -51,6 +64,8 @@ class ShotFiles(NamedTuple):
         For every frame the image that is white where the frame is left alone.
     fills : sequence of str, optional
         For every frame the image that is shown there.
+    times : Times, optional
+        Where several frames of the shot were painted.
     grid : tuple of 2 int, optional
         Rows and columns, if the frames are a grid of views, row by row.
     cameras : sequence of mapping, optional
@@ -67,6 +82,7 @@ class ShotFiles(NamedTuple):
     problems: ShotProblems
     masks: Sequence[str] = ()
     fills: Sequence[str] = ()
+    times: Times | None = None
     grid: tuple[int, int] | None = None
     cameras: Sequence[Mapping[str, Any]] | None = None
     scene: SceneFiles = SceneFiles()
@@ -82,6 +98,7 @@ class ShotIn(NamedTuple):
     deep_style : (H_A, W_A, n) uint16 or float32, or None
         The style as its files have it, where that is more than 8 bits.
     source_guides : tuple of (H_A, W_A, c) uint8
+        That of time behind them, if there is one.
     shot : FileShot
     """
 
@@ -119,14 +136,19 @@ def read_shot(options: argparse.Namespace, files: ShotFiles, line: ProgressLine)
     encodings = _encodings(options, len(files.guides[0]))
     looks = _look_at_all(options, files, encodings[0] == "auto", line)
     guides, chosen = _read_source_guides(files, styles, looks, encodings)
+    channels = tuple(guide.shape[2] for guide in guides)
+    if files.times:
+        columns = np.repeat(np.uint8(files.times.paintings), styles[0].shape[1])
+        guides = (*guides, np.tile(columns[:, None], (style.shape[0], 1, 1)))
     shot = FileShot(
         tuple(files.names),
         looks[0][len(paintings)].size,
         tuple(map(tuple, files.guides)),
         chosen,
-        tuple(guide.shape[2] for guide in guides),
+        channels,
         files.motion,
         tuple(files.masks),
+        tuple(files.times.frames) if files.times else (),
     )
     return ShotIn(style, None if pixels.dtype == np.uint8 else pixels, guides, shot)
 

@@ -1,7 +1,8 @@
 """What ``sequence`` and ``views`` write of each frame."""
 
 import argparse
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 from typing import NamedTuple
 
@@ -60,8 +61,8 @@ class ShotOut(NamedTuple):
     deep_style: NDArray[np.uint16 | np.float32] | None
     fills: Sequence[str]
 
-    def write(self, result: FrameResult) -> None:
-        """Write a frame; each file is written whole or not at all."""
+    def writing(self, result: FrameResult) -> Callable[[], None]:
+        """Make a frame; what is returned writes it, each file whole or not at all."""
         field = Field(
             result.nnf,
             self.params.patch_width,
@@ -79,9 +80,12 @@ class ShotOut(NamedTuple):
         elif self.fills:
             opaque = image[:, :, : self.channels]
             image = fill_masked(opaque, field.mask, read_uint8(self.fills[result.frame]))
-        write_image(self.pictures[result.frame], image, profile=self.profile)
+        return partial(self._write, result.frame, image, field)
+
+    def _write(self, frame, image, field):
+        write_image(self.pictures[frame], image, profile=self.profile)
         if self.fields:
-            write_nnf(self.fields[result.frame], field)
+            write_nnf(self.fields[frame], field)
 
 
 def check_shot_outputs(

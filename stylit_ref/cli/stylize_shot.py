@@ -3,6 +3,7 @@
 import argparse
 import sys
 from collections.abc import Sequence
+from dataclasses import replace
 from time import perf_counter
 
 from stylit_ref.cli.finished import counted_frames
@@ -13,11 +14,13 @@ from stylit_ref.files.colour.profile import read_colour_profile
 from stylit_ref.files.disk.paths import check_folder
 from stylit_ref.notes import note
 from stylit_ref.stylization.params import Params
+from stylit_ref.views.keyframes import weights_with_time
 from stylit_ref.views.params import Coherence
 from stylit_ref.views.problem import make_problem
 from stylit_ref.views.run_writer import RunWriter
 from stylit_ref.views.stylize_views import stylize_views
 from stylit_ref.views.warm_up import kernels_of_frames
+from stylit_ref.views.work.behind import Behind
 
 _UNUSED = "--coherence is 0, so the motion is not used; with a larger number strokes move along"
 
@@ -61,25 +64,35 @@ def stylize_shot(
             line.tell(step.done, _place(step))
 
         shot = read_shot(options, files, line)
+        if files.times:
+            of_files, keyframes = sum(shot.shot.channels), len(files.times.paintings)
+            weights = weights_with_time(params.guide_weights, of_files, keyframes)
+            params = replace(params, guide_weights=weights)
         outputs = check_shot_outputs(options, files, shot, params, pictures, fields)
         if options.work:
             check_folder(options.work)
         if not coherence.weight:
             note(alone if options.weight is None else _UNUSED)
-        channels = shot.style.shape[2], shot.shot.channels
+        channels = shot.style.shape[2], tuple(guide.shape[2] for guide in shot.source_guides)
         line.compile(lambda: kernels_of_frames(params, coherence, *channels))
         writer = _run_writer(options, files, shot, params, coherence, mesh) if options.run else None
+
+        def write(frame, writing):
+            nonlocal done
+            writing()
+            done += 1
+            line.wrote(pictures[frame], done, len(pictures))
+
         try:
-            for result in stylize_views(
-                shot.style, shot.source_guides, shot.shot, params, coherence,
-                seed=options.seed, threads=options.threads, work=options.work,
-                scheduler=options.scheduler, progress=progress,
-            ):  # fmt: skip
-                outputs.write(result)
-                if writer:
-                    writer.add(result)
-                done += 1
-                line.wrote(pictures[result.frame], done, len(pictures))
+            with Behind() as behind:
+                for result in stylize_views(
+                    shot.style, shot.source_guides, shot.shot, params, coherence,
+                    seed=options.seed, threads=options.threads, work=options.work,
+                    scheduler=options.scheduler, progress=progress,
+                ):  # fmt: skip
+                    behind.do(write, result.frame, outputs.writing(result))
+                    if writer:
+                        writer.add(result)
             if writer:
                 writer.finish()
         except KeyboardInterrupt:

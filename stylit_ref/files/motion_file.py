@@ -194,9 +194,14 @@ def _pixels(path, file: Path, layer: Layer) -> NDArray[np.float32]:
 
 def _vectors(pairs, visible, dialect):
     """Vectors whose unknown pixels are 0."""
-    known = tuple(None if pair is None else (abs(pair) <= UNKNOWN).all(axis=2) for pair in pairs)
+    known = tuple(None if pair is None else _has_vector(pair) for pair in pairs)
     pairs = tuple(
         None if pair is None else np.where(has_vector[:, :, None], pair, np.float32(0))
         for pair, has_vector in zip(pairs, known, strict=True)
     )
     return Vectors(pairs, known, visible, dialect)
+
+
+def _has_vector(pair):
+    right, down = abs(pair[:, :, 0]), abs(pair[:, :, 1])
+    return (right <= UNKNOWN) & (down <= UNKNOWN)

@@ -60,6 +60,9 @@ class FileShot:
         By ``(to, other)``.
     mask_files : tuple of str
         For every frame the image that is white where the frame is left alone; empty without masks.
+    times : tuple of int
+        For every frame the value of the guide of time (:mod:`stylit_ref.views.keyframes`), which
+        stands behind the others; empty without it.
     """
 
     names: tuple[str, ...]
@@ -69,6 +72,7 @@ class FileShot:
     channels: tuple[int, ...]
     motion_sources: Mapping[tuple[int, int], MotionSource]
     mask_files: tuple[str, ...] = ()
+    times: tuple[int, ...] = ()
     _told: dict[int | tuple[int, int], str] = field(
         default_factory=dict, init=False, repr=False, compare=False
     )
@@ -94,6 +98,7 @@ class FileShot:
         """
         files = zip(self.guide_files[frame], self.encodings, self.channels, strict=True)
         guides = [self._guide(*each) for each in files]
+        guides += [np.full((*self.size, 1), time, np.uint8) for time in self._time(frame)]
         self._check_unchanged(frame)
         return guides
 
@@ -141,7 +146,11 @@ class FileShot:
         return [*self.guide_files[frame], *self.mask_files[frame : frame + 1]]
 
     def _digest_of_guides(self, frame):
-        return files_digest(self._files(frame), repr((self.encodings, self.channels)))
+        facts = self.encodings, self.channels, *self._time(frame)
+        return files_digest(self._files(frame), repr(facts))
+
+    def _time(self, frame):
+        return self.times[frame : frame + 1]
 
     def _check_unchanged(self, frame):
         now = self._digest_of_guides(frame)

@@ -77,7 +77,7 @@ def files_of_run(
         tuple(_image(f"source_guides/{k}", guide) for k, guide in enumerate(source_guides)),
         tuple(f"pictures/{name}.png" for name in names),
         tuple(f"nnfs/{name}.npy" for name in names),
-        {(to, other): f"motion/{names[to]}_to_{names[other]}.npy" for to, other in pairs},
+        {(to, other): f"motion/{names[to]}_to_{names[other]}.exr" for to, other in pairs},
         "mesh.npy",
         tuple(f"positions/{name}.npy" for name in names),
     )

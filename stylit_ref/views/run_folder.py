@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
 from stylit_ref.files.field import Field
+from stylit_ref.files.motion_exr import read_written_motion
 from stylit_ref.files.nnf_file import read_nnf
 from stylit_ref.files.npy_file import read_arrays
 from stylit_ref.files.read_image import read_uint8
@@ -23,7 +24,10 @@ from stylit_ref.views.params import Coherence
 from stylit_ref.views.positions import Positions
 
 RUN_FILE = "run.json"
-SCHEMA, VERSION = "stylit-ref run", 1
+SCHEMA, VERSION = "stylit-ref run", 2
+READ_VERSIONS = 1, VERSION
+"""In version 1 motion is not compressed: a ``.npy`` file of two arrays."""
+
 CONVENTION = (
     "motion: (x, y) in pixels, x to the right and y downwards; added to a pixel of the frame 'to', "
     "it leads to the same point in the frame 'other'"
@@ -89,10 +93,10 @@ class Run:
             raise InputError(f"{file}: is no JSON: {error}") from None
         if not isinstance(facts, dict) or facts.get("schema") != SCHEMA:
             raise InputError(f"{file}: is not that of a RUN of this program")
-        if facts.get("version") != VERSION:
+        if facts.get("version") not in READ_VERSIONS:
             raise InputError(
-                f"{file}: is of version {facts.get('version')}, and this program reads version "
-                f"{VERSION}; update the program"
+                f"{file}: is of version {facts.get('version')}, and this program reads versions "
+                f"{' and '.join(map(str, READ_VERSIONS))}; update the program"
             )
         try:
             self.names = tuple(frame["name"] for frame in facts["frames"])
@@ -160,10 +164,10 @@ class Run:
                 f"{self.folder}: has no motion from frame {to} into frame {other}; its pairs are "
                 f"{', '.join(map(str, self.pairs)) or 'none'}"
             )
-        edge = self._fact("motion", self.pairs.index((to, other)))
-        return read_arrays(
-            self._file(edge["file"]), lambda field, rest: Motion(field, rest[0].astype(bool))
-        )
+        file = self._file(self._fact("motion", self.pairs.index((to, other)), "file"))
+        if file.suffix == ".npy":
+            return read_arrays(file, lambda field, rest: Motion(field, rest[0].astype(bool)))
+        return Motion(*read_written_motion(file))
 
     def mesh(self) -> Mesh | None:
         """The mesh that the views show; None if the RUN has none.

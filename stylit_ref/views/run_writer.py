@@ -11,6 +11,7 @@ from stylit_ref.files.colour.profile import ColourProfile
 from stylit_ref.files.disk.whole_file import write_text
 from stylit_ref.files.field import Field
 from stylit_ref.files.guides.encoding import GuideEncoding
+from stylit_ref.files.motion_exr import write_motion
 from stylit_ref.files.nnf_file import write_nnf
 from stylit_ref.files.npy_file import write_arrays
 from stylit_ref.files.write_image import write_image
@@ -90,7 +91,10 @@ class RunWriter:
                 {"name": name, "camera": None if cameras is None else dict(cameras[frame])}
                 for frame, name in enumerate(shot.names)
             ],
-            "motion": [self._motion(*pair) for pair in shot.pairs],
+            "motion": [
+                {"to": to, "other": other, "file": self._files.motion[to, other]}
+                for to, other in shot.pairs
+            ],
         }
         if mesh is not None:
             self._facts["mesh"] = self._arrays(self._files.mesh, mesh)
@@ -101,7 +105,7 @@ class RunWriter:
                 facts["positions"] = self._arrays(file, positions(frame))
 
     def add(self, result: FrameResult) -> None:
-        """Write the picture and the NNF of a frame."""
+        """Write the picture and the NNF of a frame, and the motion from it into others."""
         frame = self._facts["frames"][result.frame]
         frame["picture"] = self._files.pictures[result.frame]
         frame["nnf"] = self._files.nnfs[result.frame]
@@ -116,6 +120,10 @@ class RunWriter:
         )  # fmt: skip
         write_nnf(self.folder / frame["nnf"], field)
         self._note(frame["picture"], frame["nnf"])
+        for pair, file in self._files.motion.items():
+            if pair[0] == result.frame:
+                write_motion(self.folder / file, *self._problem.shot.motion(*pair))
+                self._note(file)
 
     def finish(self) -> "Run":
         """Write ``run.json``, when every frame has been added.
@@ -146,11 +154,6 @@ class RunWriter:
         write_arrays(self.folder / file, list(arrays))
         self._note(file)
         return file
-
-    def _motion(self, to, other):
-        file = self._files.motion[to, other]
-        motion = self._problem.shot.motion(to, other)
-        return {"to": to, "other": other, "file": self._arrays(file, motion)}
 
     def _note(self, *files):
         for file in files:

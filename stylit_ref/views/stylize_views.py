@@ -1,7 +1,7 @@
 """``stylize_frames`` and ``stylize_views``: from images and motion to coherent pictures."""
 
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import nullcontext
+from contextlib import closing, nullcontext
 from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -140,11 +140,12 @@ def _results(problem, bench, work, scheduler, threads, progress, *, is_grey):
         if scheduler is not None:
             job = Job(problem, str(folder.folder.resolve()), keys, threads, code_key(problem.shot))
             do_all = partial(do_on_cluster, job, scheduler)
-        for frame, state in walk.run(do_all, progress):
-            image, mask = state.picture, problem.shot.mask(frame)
-            if mask is not None:
-                image = fill_masked(image, mask, None)
-            elif is_grey:
-                image = image[:, :, 0]
-            # Copies: the walk still reads the state, whatever a caller does to its result.
-            yield FrameResult(frame, problem.shot.names[frame], image.copy(), state.nnf.copy())
+        with closing(walk.run(do_all, progress)) as finished:
+            for frame, state in finished:
+                image, mask = state.picture, problem.shot.mask(frame)
+                if mask is not None:
+                    image = fill_masked(image, mask, None)
+                elif is_grey:
+                    image = image[:, :, 0]
+                # Copies: the walk still reads the state, whatever a caller does to its result.
+                yield FrameResult(frame, problem.shot.names[frame], image.copy(), state.nnf.copy())

@@ -1,6 +1,7 @@
 """``stylit-ref sequence`` from end to end."""
 
 import shutil
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -17,8 +18,10 @@ from stylit_ref import (
     stylize_frames,
     write_image,
 )
-from stylit_ref.cli import main, shot_out
+from stylit_ref.cli import main
+from stylit_ref.cli.shot_out import ShotOut
 from stylit_ref.files.motion_flo import write_flo
+from stylit_ref.views.keyframes import values_of_time, weights_with_time
 from stylit_ref.views.motion.between import motion_between
 from stylit_ref.views.motion.conventions import FrameMotion
 from stylit_ref.views.motion.reading import read_motion
@@ -139,17 +142,16 @@ def test_the_same_command_goes_on_where_it_was_interrupted(shot, capsys, monkeyp
     folder = shot[0]
     assert sequence(folder, *motion(folder)) == 0
     expected = written(folder)
-    write, calls = shot_out.write_image, []
+    writing = ShotOut.writing
 
-    def interrupted(*arguments, **settings):
-        calls.append(arguments)
-        if len(calls) == 2:
+    def interrupted(outputs, result):
+        if result.frame == 1:
             raise KeyboardInterrupt
-        write(*arguments, **settings)
+        return writing(outputs, result)
 
     capsys.readouterr()
     with monkeypatch.context() as patched:
-        patched.setattr(shot_out, "write_image", interrupted)
+        patched.setattr(ShotOut, "writing", interrupted)
         assert sequence(folder, *motion(folder), "--work", folder / "work") == 130
     said = capsys.readouterr().err.splitlines()[-1]
     assert said == (
@@ -162,10 +164,10 @@ def test_the_same_command_goes_on_where_it_was_interrupted(shot, capsys, monkeyp
 
 
 def test_an_interruption_without_work_folder_says_how_to_go_on(shot, capsys, monkeypatch):
-    def interrupted(*arguments, **settings):
+    def interrupted(*arguments):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(shot_out, "write_image", interrupted)
+    monkeypatch.setattr(ShotOut, "writing", interrupted)
     assert sequence(shot[0]) == 130
     assert capsys.readouterr().err.splitlines()[-1] == (
         "stylit-ref: interrupted; 0 of 3 frames are written; nothing else is kept, so the same "
@@ -491,18 +493,51 @@ def painted(shot):
     return folder, styles, frames, command
 
 
-def test_several_painted_frames_are_one_style(painted):
+def test_several_painted_frames_are_one_style_with_a_guide_of_time(painted):
     folder, styles, frames, command = painted
     nnf = "--nnf", f"{folder}/nnf.%d.npy"
     assert main([*command, "--output", f"{folder}/out.%04d.png", *nnf]) == 0
-    style = np.hstack(styles)
-    guides = [np.hstack(pair) for pair in zip(frames[0], frames[2], strict=True)]
+    size = styles[0].shape[:2]
+    times = [np.full((*size, 1), value, np.uint8) for value in values_of_time((1, 2, 3), (1, 3))]
+    shown = [[*guides, time] for guides, time in zip(frames, times, strict=True)]
+    guides = [np.hstack(pair) for pair in zip(shown[0], shown[2], strict=True)]
+    channels = sum(np.atleast_3d(guide).shape[2] for guide in frames[0])
+    params = replace(PARAMS, guide_weights=weights_with_time((1, 1), channels, 2))
     moved = edges(folder, [(1, 0), (2, 1)])
-    for result in stylize_frames(style, guides, frames, PARAMS, edges=moved):
+    for result in stylize_frames(np.hstack(styles), guides, shown, params, edges=moved):
         np.testing.assert_array_equal(written(folder)[result.frame], result.image)
         np.testing.assert_array_equal(
             read_nnf(folder / f"nnf.{result.frame + 1}.npy").nnf, result.nnf
         )
+
+
+def test_a_painted_frame_shows_its_own_painting(painted):
+    folder, styles, frames, command = painted
+    for frame, tint in ((1, 0), (3, 40)):
+        grey = np.atleast_3d(frames[frame - 1][0])[:, :, :1]
+        write_image(folder / f"key.{frame:04d}.png", np.repeat(grey // 2 + np.uint8(tint), 3, 2))
+    nnf = "--nnf", f"{folder}/nnf.%d.npy"
+    assert main([*command, "--output", f"{folder}/out.%04d.png", *nnf]) == 0
+    fields = [read_nnf(folder / f"nnf.{frame}.npy").nnf for frame in (1, 2, 3)]
+    shares = [(field[:, :, 1] >= styles[0].shape[1]).mean() for field in fields]
+    assert shares[0] < 0.05
+    assert shares[2] > 0.95
+    assert shares[0] <= shares[1] <= shares[2]
+
+
+def test_paintings_of_something_else_have_no_time(painted):
+    folder, styles, frames, command = painted
+    for k in range(2):
+        for frame in (1, 3):
+            guide = np.squeeze(frames[frame - 1][k])
+            write_image(folder / f"sphere_{k}.{frame:04d}.png", guide)
+    sources = [each.replace("target", "sphere") if command[n - 1] == "--guide" else each
+               for n, each in enumerate(command)]  # fmt: skip
+    assert main([*sources, "--output", f"{folder}/out.%04d.png"]) == 0
+    guides = [np.hstack(pair) for pair in zip(frames[0], frames[2], strict=True)]
+    moved = edges(folder, [(1, 0), (2, 1)])
+    for result in stylize_frames(np.hstack(styles), guides, frames, PARAMS, edges=moved):
+        np.testing.assert_array_equal(written(folder)[result.frame], result.image)
 
 
 def test_a_run_of_several_paintings_is_replayed_with_others(painted):
@@ -620,11 +655,11 @@ def test_files_of_a_run_are_not_for_others(shot, capsys, monkeypatch, flags, sai
 def test_an_interrupted_run_goes_on_with_its_folder(shot, capsys, monkeypatch):
     folder = shot[0]
 
-    def interrupted(*arguments, **settings):
+    def interrupted(*arguments):
         raise KeyboardInterrupt
 
     with monkeypatch.context() as patched:
-        patched.setattr(shot_out, "write_image", interrupted)
+        patched.setattr(ShotOut, "writing", interrupted)
         assert sequence(folder, "--run", folder / "run") == 130
     said = capsys.readouterr().err.splitlines()[-1]
     assert f"0 of 3 frames are written, and {folder}/run is no whole RUN yet; nothing else" in said

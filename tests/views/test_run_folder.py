@@ -18,7 +18,9 @@ from stylit_ref import (
     replay_run,
     stylize_views,
 )
+from stylit_ref.files.npy_file import write_arrays
 from stylit_ref.views.problem import make_problem
+from stylit_ref.views.run_folder import digest_of
 from stylit_ref.views.run_writer import RunWriter
 
 SCHEMA = Path(__file__).parents[2] / "docs" / "run.schema.json"
@@ -67,8 +69,39 @@ def test_a_run_comes_back(made):
         assert np.array_equal(run.motion(*pair).visible, motion.visible)
 
 
+def test_a_run_of_version_1_is_still_read(damaged):
+    run, motion = damaged, damaged.motion(1, 0)
+    edge = next(each for each in run.facts["motion"] if each["to"] == 1)
+    edge["file"] = "motion/old.npy"
+    write_arrays(run.folder / edge["file"], list(motion))
+    run.facts["version"] = 1
+    run.facts["digests"][edge["file"]] = digest_of(run.folder / edge["file"])
+    (run.folder / "run.json").write_text(json.dumps(run.facts), encoding="utf-8")
+    found = Run(run.folder).motion(1, 0)
+    assert np.array_equal(found.field, motion.field)
+    assert np.array_equal(found.visible, motion.visible)
+
+
 def test_its_facts_follow_the_schema(made):
     jsonschema.validate(made[0].facts, json.loads(SCHEMA.read_text()))
+
+
+def test_motion_is_read_when_its_frame_is_added(tmp_path):
+    scene, read = sliding(frames=2), []
+
+    class Counting(ArrayShot):
+        def motion(self, to, other):
+            read.append((to, other))
+            return super().motion(to, other)
+
+    shot = Counting(scene.guides, scene.edges)
+    arguments = scene.style, scene.sources, shot, Params(**EFFORT)
+    results = list(stylize_views(*arguments))
+    read.clear()
+    writer = RunWriter(tmp_path, make_problem(*arguments))
+    assert read == []
+    writer.add(results[1])
+    assert read == [(1, 0)]
 
 
 def test_names_become_names_of_files(made):

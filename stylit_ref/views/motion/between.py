@@ -78,25 +78,30 @@ def motion_between(
 
 def _step(frame, after, motion_of, depth_of, labels_of):
     """The motion from a frame into a neighbouring one."""
-    here, there = (_known(number, motion_of) for number in (frame, after))
-    ahead, back = here.towards(after - frame), there.towards(frame - after)
-    if ahead is not None and back is not None:
-        _check_sizes(frame, after, ahead.visible.shape, back.visible.shape)
-    depth = depth_of(frame if ahead is not None else after) if depth_of else None
-    if ahead is None:
-        if back is None:
-            raise InputError(_why_unknown(frame, after))
-        motion = inverted(back, depth)
-    elif here.tells_visible:
-        motion = ahead
-    elif back is not None:
-        motion = Motion(ahead.field, cancelling(ahead, back))
+    here = _known(frame, motion_of)
+    ahead = here.towards(after - frame)
+    if ahead is not None and here.tells_visible:
+        motion = ahead  # and nothing needs the motion back
     else:
-        motion = Motion(ahead.field, unhidden(ahead, depth))
+        motion = _compared(frame, after, ahead, motion_of, depth_of)
     labels, others = _of_both((frame, after), labels_of)
     if labels is None or others is None:
         return motion
     return Motion(motion.field, motion.visible & same_labels(motion, labels, others))
+
+
+def _compared(frame, after, ahead, motion_of, depth_of):
+    """The motion whose visibility, or all of it, is found from the motion back."""
+    back = _known(after, motion_of).towards(frame - after)
+    if ahead is not None and back is not None:
+        _check_sizes(frame, after, ahead.visible.shape, back.visible.shape)
+        return Motion(ahead.field, cancelling(ahead, back))
+    if ahead is None and back is None:
+        raise InputError(_why_unknown(frame, after))
+    depth = depth_of(frame if ahead is not None else after) if depth_of else None
+    if ahead is None:
+        return inverted(back, depth)
+    return Motion(ahead.field, unhidden(ahead, depth))
 
 
 def _of_both(frames, what_of):

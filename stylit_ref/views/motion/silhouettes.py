@@ -63,8 +63,9 @@ def silhouettes_of(
     else:
         return None
     places = places_beside(inverse)
-    own = np.stack(np.mgrid[: inverse.shape[0], : inverse.shape[1]], axis=-1)
-    return Silhouettes(places, (places != own).any(axis=2), fetched(inverse, places))
+    rows, columns = np.ogrid[: inverse.shape[0], : inverse.shape[1]]
+    beside = (places[:, :, 0] != rows) | (places[:, :, 1] != columns)
+    return Silhouettes(places, beside, fetched(inverse, places))
 
 
 def places_beside(inverse: NDArray[np.float64]) -> NDArray[np.int32]:

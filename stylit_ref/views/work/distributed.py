@@ -2,7 +2,7 @@
 
 import secrets
 import threading
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Generator, Iterator, Mapping, Sequence
 from concurrent.futures import CancelledError
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -49,7 +49,7 @@ class Job:
     code: str
 
 
-def do_on_cluster(job: Job, scheduler: str, missing: Sequence[Task]) -> Iterator[Task]:
+def do_on_cluster(job: Job, scheduler: str, missing: Sequence[Task]) -> Generator[Task, None, None]:
     """Do tasks on a cluster; :meth:`stylit_ref.views.work.walk.Walk.do_here` does them here.
 
     What runs on a machine is one search-vote iteration of a frame. In parallel order it begins when

@@ -1,12 +1,14 @@
 """Walk a plan in one process: read states, make those that are missing, and keep them."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Generator, Mapping, Sequence
+from contextlib import closing
 
 from stylit_ref.machine.thread_count import using_threads
 from stylit_ref.views.frame_step import FrameStep
 from stylit_ref.views.params import SEQUENTIAL
 from stylit_ref.views.plan import Plan, Task
 from stylit_ref.views.problem import Problem
+from stylit_ref.views.work.behind import Behind
 from stylit_ref.views.work.kept import Kept
 from stylit_ref.views.work.state import State
 from stylit_ref.views.work.work_folder import WorkFolder
@@ -50,13 +52,13 @@ class Walk:
     ) -> None:
         self._shot, self._folder, self._bench = problem.shot, folder, bench
         self._keys, self._threads, self.plan = keys, threads, problem.plan()
-        self._recent = Kept(ROOM)
+        self._recent, self._behind = Kept(ROOM), Behind()
 
     def run(
         self,
-        do_all: Callable[[Sequence[Task]], Iterator[Task]] | None = None,
+        do_all: Callable[[Sequence[Task]], Generator[Task, None, None]] | None = None,
         progress: Callable[[FrameStep], None] | None = None,
-    ) -> Iterator[tuple[int, State]]:
+    ) -> Generator[tuple[int, State], None, None]:
         """Do all that is missing.
 
         Parameters
@@ -81,12 +83,13 @@ class Walk:
             for frame in self.plan.frames:
                 if self.plan.last(frame) not in waiting:
                     yield from self._finish(frame, finished)
-            for task in do_all(missing):
-                left -= _cost(task)
-                if progress:
-                    progress(self._step(task, 1 - left / whole))
-                if task == self.plan.last(task.frame):
-                    yield from self._finish(task.frame, finished)
+            with closing(do_all(missing)) as done:  # whoever stops finds all states on the disk
+                for task in done:
+                    left -= _cost(task)
+                    if progress:
+                        progress(self._step(task, 1 - left / whole))
+                    if task == self.plan.last(task.frame):
+                        yield from self._finish(task.frame, finished)
         for frame in self.plan.frames:
             self._forget_all_but_last(frame)
 
@@ -94,12 +97,13 @@ class Walk:
         """The tasks to do until all frames are finished, in their order."""
         return self.plan.missing(lambda task: self._folder.get(self._keys[task]) is not None)
 
-    def do_here(self, missing: Sequence[Task]) -> Iterator[Task]:
-        """Do tasks one after the other, in this process."""
-        for task in missing:
-            if not self.do(task):
-                return
-            yield task
+    def do_here(self, missing: Sequence[Task]) -> Generator[Task, None, None]:
+        """Do tasks one after the other, in this process; a state is written as the next is made."""
+        with Behind() as self._behind:
+            for task in missing:
+                if not self._make(task):
+                    return
+                yield task
 
     def do(self, task: Task) -> bool:
         """Do a task, and keep its state.
@@ -109,6 +113,10 @@ class Walk:
         bool
             False if a state that it reads is missing: it was damaged or removed meanwhile.
         """
+        with Behind() as self._behind:
+            return self._make(task)
+
+    def _make(self, task):
         before, pulling = self.plan.before(task), self.plan.pulling(task)
         reads = {read: self._state(read) for read in self.plan.reads(task)}
         if None in reads.values():
@@ -116,20 +124,26 @@ class Walk:
         pictures = {other.frame: reads[other].picture for other in pulling}
         with using_threads(self._threads):
             state = self._bench.make(task, reads[before] if before else None, pictures)
-        self._folder.put(self._keys[task], state)
         self._recent.add(self._keys[task], state, state.nbytes)
-        is_last = task == self.plan.last(task.frame)
-        if is_last:
+        if task == self.plan.last(task.frame):
             self._bench.forget(task.frame)
-        if is_last and self.plan.order == SEQUENTIAL:
-            self._forget_all_but_last(task.frame)
-        elif older := self.plan.removed_by(task):
-            self._folder.forget(self._keys[older])
+        self._behind.do(self._keep, task, state)
         return True
+
+    def _keep(self, task, state):
+        """Write a state, and remove those that nobody needs any more."""
+        if older := self.plan.removed_by(task):
+            self._folder.forget(self._keys[older])
+        self._folder.put(self._keys[task], state)
+        if task == self.plan.last(task.frame) and self.plan.order == SEQUENTIAL:
+            self._forget_all_but_last(task.frame)
 
     def _state(self, task):
         key = self._keys[task]
-        state = self._recent.get(key) or self._folder.get(key)
+        state = self._recent.get(key)
+        if state is None:
+            self._behind.wait()
+            state = self._folder.get(key)
         return state and self._recent.add(key, state, state.nbytes)
 
     def _finish(self, frame, finished):

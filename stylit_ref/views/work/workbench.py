@@ -144,7 +144,8 @@ class Workbench:
             padded = passes.repeat_edge(texture, width // 2)
             target = TargetLevel(passes, packing, width, padded, self._synthesized(task))
             level = Level(exemplar.level(depth), target, params)
-            self._kept.forget(lambda other: other[:2] == key[:2])
+            # Nobody goes back to a coarser level.
+            self._kept.forget(lambda each: each[1] == task.frame and each[-1] > depth)
             self._kept.add(key, level, _bytes_of(level))
         return level
 
@@ -166,12 +167,9 @@ class Workbench:
             exemplar = self._exemplar(frame)
             packed = _packed(exemplar.packing, self._guides(frame))
             texture = self._backend.passes.upload(packed)
-            textures = [texture]
-            for _ in self._plan.votes[1:]:
-                textures.append(self._backend.passes.downsample(textures[-1]))
-            for each, texture in enumerate(textures):
+            for each in range(depth + 1):
+                texture = self._backend.passes.downsample(texture) if each else texture
                 self._kept.add((kind, frame, each), texture, texture.nbytes)
-            texture = textures[depth]
         return texture
 
     def _places(self, task, other):
@@ -182,12 +180,10 @@ class Workbench:
             shot, edge = self._problem.shot, (frame, other)
             motion = check_edges({edge: shot.motion(*edge)}, len(shot.names), shot.size)[edge]
             motion = without_masked(motion, shot.mask(other))
-            for each in range(len(self._plan.votes)):
-                found = places_of(motion, each)
-                self._kept.add((kind, frame, other, each), found, found.nbytes)
-                if each == depth:
-                    places = found
-        return places
+            for each in range(depth + 1):
+                places = _compact(places_of(motion, each))
+                self._kept.add((kind, frame, other, each), places, places.nbytes)
+        return places.astype(np.int32, copy=False)
 
     def _halved(self, task, other, picture):
         """A picture in the size of the task's level; only a finished one is larger."""
@@ -225,6 +221,12 @@ def _packed(packing, guides, style=None):
     if len(packing.guide_sizes) > len(guides):
         guides = [*guides, np.zeros((*guides[0].shape[:2], 1), np.uint8)]
     return packing.pack(guides, style)
+
+
+def _compact(places):
+    """Places in half the memory, so that twice as many stay where all frames take turns."""
+    fits = max(places.shape) <= np.iinfo(np.int16).max
+    return places.astype(np.int16) if fits else places
 
 
 def _bytes_of(level):

@@ -93,6 +93,14 @@ def test_a_mask_of_the_file_is_taken_as_it_is():
     assert np.array_equal(motion_between(0, 1, files.get).visible, odd.visible)
 
 
+def test_with_a_mask_of_the_file_the_motion_back_is_not_read():
+    def read(frame):
+        assert frame == 0
+        return FrameMotion(motion(0, 1), None, tells_visible=True)
+
+    assert np.array_equal(motion_between(0, 1, read).visible, motion(0, 1).visible)
+
+
 def test_missing_vectors_are_refused():
     files = {0: forward_only(0), 2: forward_only(2)}
     with pytest.raises(InputError, match="from frame 1 to frame 2: there are neither forward"):
