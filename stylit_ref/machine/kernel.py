@@ -15,16 +15,13 @@ from numba.core.dispatcher import Dispatcher
 from stylit_ref.machine.forks import survive_forks
 from stylit_ref.machine.interruption import heed_waiting
 from stylit_ref.machine.kernel_cache import KernelCache
+from stylit_ref.machine.parallel_loops import KernelCompiler
+from stylit_ref.machine.parts import PartCompiler
 from stylit_ref.notes import note
 
 survive_forks()  # here, since every kernel comes from here
 
 Arguments = ParamSpec("Arguments")
-
-# Only loops that say prange run in parallel: no array expression is worth a loop of its own.
-_PRANGE_ALONE = dict.fromkeys(
-    ("comprehension", "reduction", "inplace_binop", "setitem", "numpy", "stencil", "fusion"), False
-) | {"prange": True}
 
 
 class Specialization(NamedTuple):
@@ -129,7 +126,10 @@ def kernel(
 
     def decorate(function):
         dispatcher = njit(
-            parallel=_PRANGE_ALONE if parallel else False, error_model="numpy", nogil=nogil
+            pipeline_class=KernelCompiler if parallel else PartCompiler,
+            error_model="numpy",
+            nogil=nogil,
+            no_cfunc_wrapper=True,
         )(function)
         with suppress(RuntimeError):  # no folder can be written, so every process compiles
             dispatcher._cache = KernelCache(function, constants)
