@@ -27,7 +27,13 @@ from numba.core.typed_passes import _reload_parfors
 from numba.core.untyped_passes import WithLifting
 from numba.extending import intrinsic
 
-from stylit_ref.machine.parts import PartCompiler, new_library, part_flags
+from stylit_ref.machine.parts import (
+    KernelLibrary,
+    PartCompiler,
+    PartLibrary,
+    new_library,
+    part_flags,
+)
 
 _I64 = llvm.IntType(64)
 _POINTER = _I64.as_pointer()
@@ -165,7 +171,8 @@ def _lowered(typing, target, func_ir, inputs, flags):
     flags.noalias = True
     return compile_ir(
         typing, target, func_ir, (types.int64, types.int64, *inputs), types.none, flags, {},
-        library=new_library(func_ir.func_id.func_qualname), pipeline_class=PartCompiler,
+        library=new_library(PartLibrary, func_ir.func_id.func_qualname),
+        pipeline_class=PartCompiler,
     )  # fmt: skip
 
 
@@ -201,6 +208,7 @@ class KernelCompiler(PartCompiler):
     def define_pipelines(self) -> list[PassManager]:
         """The passes of a part, and :class:`ShareLoops` before them."""
         _reload_parfors()  # starts the threads, whose functions the code calls
+        self.state.library = new_library(KernelLibrary, self.state.func_id.func_qualname)
         [manager] = super().define_pipelines()
         manager.add_pass_after(ShareLoops, WithLifting)
         manager.finalize()

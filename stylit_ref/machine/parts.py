@@ -15,12 +15,23 @@ from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import CompilerBase, DefaultPassBuilder, Flags, compile_extra
 from numba.core.compiler_machinery import FunctionPass, PassManager, register_pass
 from numba.core.registry import CPUDispatcher, cpu_target
-from numba.core.untyped_passes import InlineInlinables
+from numba.core.typed_passes import NopythonRewrites
+from numba.core.untyped_passes import InlineClosureLikes, InlineInlinables
+
+_NEEDLESS = InlineClosureLikes, NopythonRewrites
+"""Passes for functions in functions and for array expressions, which kernels have not."""
 
 _parts: WeakKeyDictionary[CPUDispatcher, "_Part"] = WeakKeyDictionary()
 
 
-class PartLibrary(JITCodeLibrary):
+class KernelLibrary(JITCodeLibrary):
+    """The code of a kernel, which is optimized as a whole alone."""
+
+    def _optimize_functions(self, ll_module):
+        ll_module.data_layout = self._codegen._data_layout
+
+
+class PartLibrary(KernelLibrary):
     """Code that is linked into the kernels that call it, as it was lowered."""
 
     def finalize(self) -> None:
@@ -30,13 +41,12 @@ class PartLibrary(JITCodeLibrary):
             self._final_module.link_in(library._get_module_for_linking(), preserve=True)
         self._finalized = True
 
-    def _optimize_functions(self, ll_module):
-        ll_module.data_layout = self._codegen._data_layout
 
-
-def new_library(name: str) -> PartLibrary:
-    """An empty library for a part."""
-    return PartLibrary(cpu_target.target_context.codegen(), name)
+def new_library(kind: type[KernelLibrary], name: str) -> KernelLibrary:
+    """An empty library."""
+    library = kind(cpu_target.target_context.codegen(), name)
+    library.enable_object_caching()  # so that it can be kept on disk
+    return library
 
 
 def part_flags(flags: Flags) -> Flags:
@@ -57,7 +67,7 @@ class _Part(CPUDispatcher):
         self.targetdescr.options.parse_as_flags(flags, self.targetoptions)
         lowered = compile_extra(
             self.typingctx, self.targetctx, self.py_func, args, None, part_flags(flags),
-            self.locals, new_library(self.py_func.__qualname__), PartCompiler,
+            self.locals, new_library(PartLibrary, self.py_func.__qualname__), PartCompiler,
         )  # fmt: skip
         name = object()  # in place of the machine code by which Numba knows a function
         self.targetctx.insert_user_function(name, lowered.fndesc, [lowered.library])
@@ -97,6 +107,7 @@ class PartCompiler(CompilerBase):
     def define_pipelines(self) -> list[PassManager]:
         """Numba's passes, and :class:`CallParts` once small functions are inlined."""
         manager = DefaultPassBuilder.define_nopython_pipeline(self.state)
+        manager.passes = [each for each in manager.passes if each[0] not in _NEEDLESS]
         manager.add_pass_after(CallParts, InlineInlinables)
         manager.finalize()
         return [manager]
