@@ -10,6 +10,9 @@ from stylit_ref.machine.prefetch import prefetch
 
 _LINE = 64  # bytes
 
+NEAR = 4 << 20
+"""Bytes of a texture from which patches take longer to arrive than to ask for."""
+
 
 @lru_cache
 def make_prefetch_patch(patch_width: int, channels: int) -> Callable[..., None]:

@@ -10,7 +10,7 @@ from stylit_ref.formulae.candidates import neighbour_offsets, propagation_candid
 from stylit_ref.formulae.claim_state import LOST, distance_bit, must_ask, next_state
 from stylit_ref.machine.kernel import kernel
 from stylit_ref.metric.fast_metric import make_fast_metric
-from stylit_ref.metric.prefetch_patch import make_prefetch_patch
+from stylit_ref.metric.prefetch_patch import NEAR, make_prefetch_patch
 from stylit_ref.metric.textures import Textures, vector_sizes
 
 # Claims of neighbouring patches are scattered, so candidates are in no cache. A few source patches
@@ -30,7 +30,7 @@ def _make_kernel(patch_width, channels, moments_a_patch, mean_channels):
     @kernel(patch_width, channels, moments_a_patch, mean_channels)
     def propagate_claims_kernel(
         textures, taken, claims, errors, states, new_claims, new_errors, new_states,
-        distance, bit, all_candidates, all_counts,
+        distance, bit, far, all_candidates, all_counts,
     ):  # fmt: skip
         height, width = errors.shape
         target_height, target_width = taken.shape
@@ -57,7 +57,8 @@ def _make_kernel(patch_width, channels, moments_a_patch, mean_channels):
                                 continue
                             if taken[target_y, target_x] and not lost:
                                 continue
-                            prefetch_patch(textures.target, target_y, target_x)
+                            if far:
+                                prefetch_patch(textures.target, target_y, target_x)
                             candidates[i, count, 0], candidates[i, count, 1] = target_y, target_x
                             count += 1
                     counts[i] = count
@@ -122,5 +123,5 @@ def propagate_claims(
     counts = np.empty((height, PATCHES_A_BATCH), np.int32)
     run(
         textures, taken, claims, errors, states, new_claims, new_errors, new_states,
-        distance, distance_bit(distance), candidates, counts,
+        distance, distance_bit(distance), textures.target.nbytes > NEAR, candidates, counts,
     )  # fmt: skip

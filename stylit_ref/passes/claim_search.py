@@ -16,7 +16,7 @@ from stylit_ref.machine.kernel import kernel
 from stylit_ref.machine.prefetch import prefetch
 from stylit_ref.metric.fast_metric import make_delta_bound, make_fast_metric
 from stylit_ref.metric.lower_bound import BOUND_SCALE, LINE_MOMENTS
-from stylit_ref.metric.prefetch_patch import make_prefetch_patch
+from stylit_ref.metric.prefetch_patch import NEAR, make_prefetch_patch
 from stylit_ref.metric.textures import Textures, vector_sizes
 from stylit_ref.randomness.neighbouring_words import LANES, neighbouring_words
 from stylit_ref.randomness.philox import FourWords, uniform_below
@@ -48,7 +48,8 @@ def _make_kernel(patch_width, channels, moments_a_patch, mean_channels):
     @kernel(patch_width, channels, moments_a_patch, mean_channels)
     def search_claims_kernel(
         textures, taken, claims, errors, states, new_claims, new_errors, new_states,
-        stream, all_words, all_centres, all_drawn, all_candidates, all_bounds, all_counts,
+        stream, far,
+        all_words, all_centres, all_drawn, all_candidates, all_bounds, all_counts,
     ):  # fmt: skip
         height, width = errors.shape
         target_height, target_width = np.int32(taken.shape[0]), np.int32(taken.shape[1])
@@ -104,8 +105,11 @@ def _make_kernel(patch_width, channels, moments_a_patch, mean_channels):
                         candidates[i, count, 0], candidates[i, count, 1] = target_y, target_x
                         count += bound < limit
                     counts[i] = count
-                    for k in range(count):
-                        prefetch_patch(textures.target, candidates[i, k, 0], candidates[i, k, 1])
+                    if far:
+                        for k in range(count):
+                            prefetch_patch(
+                                textures.target, candidates[i, k, 0], candidates[i, k, 1]
+                            )
                 for i in range(batch):
                     x = first_x + i
                     best_y, best_x = np.int64(claims[y, x, 0]), np.int64(claims[y, x, 1])
@@ -163,6 +167,7 @@ def search_claims(
     radii = number_of_radii(max(taken.shape))
     run(
         textures, taken, claims, errors, states, new_claims, new_errors, new_states, stream,
+        textures.target.nbytes > NEAR,
         np.empty((height, 4, batch), np.uint32),
         np.zeros((height, 2, batch), np.int32),
         np.empty((height, radii, 2, batch), np.int32),

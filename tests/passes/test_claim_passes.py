@@ -11,6 +11,8 @@ from stylit_ref.formulae.candidates import (
     random_candidate,
 )
 from stylit_ref.formulae.claim_state import LOST
+from stylit_ref.metric.prefetch_patch import NEAR
+from stylit_ref.passes import claim_propagation, claim_search
 from stylit_ref.passes.claims import FIXED, FREE
 from stylit_ref.randomness.random_stream import (
     RETRIEVAL_NNF,
@@ -96,10 +98,12 @@ def assert_same(retrieval, plain):
     np.testing.assert_array_equal(retrieval.states >= LOST, lost)
 
 
-@pytest.mark.parametrize("share", [0.3, 0.9])
+@pytest.mark.parametrize(("share", "near"), [(0.3, NEAR), (0.9, 0)])
 @pytest.mark.parametrize("case", CASES, ids=str)
-def test_claims_are_those_of_the_plain_search(case, share):
+def test_claims_are_those_of_the_plain_search(case, share, near, monkeypatch):
     """Over several retrievals, since the passes remember what they have looked at."""
+    for module in (claim_propagation, claim_search):
+        monkeypatch.setattr(module, "NEAR", near)
     level = make_level(uniformity=0, **case)
     level.update_moments()
     retrieval = Retrieval(level, random_stream(4, RETRIEVAL_NNF, 1, 1))
