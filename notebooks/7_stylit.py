@@ -114,7 +114,7 @@ axes[0].set_title("style")
 axes[1].imshow(level.style)
 axes[1].set_title("picture before this search")
 errors = axes[2].imshow(
-    retrieval.delta / ONE, cmap="magma", vmax=np.percentile(retrieval.delta, 98) / ONE
+    retrieval.errors / ONE, cmap="magma", vmax=np.percentile(retrieval.errors, 98) / ONE
 )
 axes[2].set_title("E(p) of each source patch")
 fig.colorbar(errors, ax=axes[2])
@@ -154,7 +154,7 @@ def budget_of(errors):
     return a, b, knee(a, b), middle / (a - b)
 
 
-errors = np.sort(retrieval.delta, axis=None)
+errors = np.sort(retrieval.errors, axis=None)
 a, b, x_k, unit = budget_of(errors)
 kept = correspondences_within_budget(errors, "hyperbola")
 assert kept == int(x_k * (len(errors) - 1)) + 1
@@ -196,18 +196,17 @@ plt.show()
 # the search from target to source has found for them.
 
 # %%
-claims, claim_errors = retrieval.nnf.copy(), retrieval.delta.copy()
+claims, claim_errors = retrieval.claims.copy(), retrieval.errors.copy()
 no_limit = np.full(level.delta.shape, np.iinfo(np.int64).max)
-inside = np.s_[2:-2, 2:-2]  # `taken` has the border of the padded target
 fixed_by = np.zeros((height, width), int)
 curves = []
 while (fixed_by > 0).mean() < 0.95:
     if curves:
         improve(retrieval, len(curves))
-    free = retrieval.taken[tuple(retrieval.nnf.T)].T != FIXED
-    curves.append(np.sort(retrieval.delta[free]))
+    free = retrieval.taken[tuple(retrieval.claims.T)].T != FIXED
+    curves.append(np.sort(retrieval.errors[free]))
     newly = retrieval.settle("hyperbola", no_limit)
-    fixed = retrieval.taken[inside] == FIXED
+    fixed = retrieval.taken == FIXED
     fixed_by[fixed & (fixed_by == 0)] = len(curves)
     within = correspondences_within_budget(curves[-1], "hyperbola")
     print(
@@ -411,10 +410,10 @@ assert within_share(zeros, 0.9) == correspondences_within_budget(zeros, 0.9) == 
 # ### Settling claims
 #
 # Write `settle(claims, errors, kept)` for a first retrieval, all target patches free. `claims[y,
-# x]` is the target patch (its coordinates in the padded target) that the source patch `(y, x)`
-# claims at `errors[y, x]`; the `kept` smallest errors are within the budget, of equal ones the
-# first in the order of rows. Return a dictionary from target patch to source patch, tuples both.
-# The test compares it with what the first retrieval above has fixed.
+# x]` is the target patch that the source patch `(y, x)` claims at `errors[y, x]`; the `kept`
+# smallest errors are within the budget, of equal ones the first in the order of rows. Return a
+# dictionary from target patch to source patch, tuples both. The test compares it with what the
+# first retrieval above has fixed.
 
 
 # %% tags=["hide-input"]
@@ -430,11 +429,11 @@ def settle(claims, errors, kept):
 level = start()
 fresh = Retrieval(level, random_stream(0, RETRIEVAL_NNF, 1, 1))
 improve(fresh, 0)
-np.testing.assert_array_equal(fresh.nnf, claims)
+np.testing.assert_array_equal(fresh.claims, claims)
 fresh.settle("hyperbola", no_limit)
 winners = settle(claims, claim_errors, kept)
-fixed = {tuple(place) for place in np.argwhere(fresh.taken[inside] == FIXED).tolist()}
-assert {(y - 2, x - 2) for y, x in winners} == fixed
+fixed = {tuple(place) for place in np.argwhere(fresh.taken == FIXED).tolist()}
+assert set(winners) == fixed
 for (y, x), (source_y, source_x) in winners.items():
-    assert tuple(level.nnf[y - 2, x - 2]) == (source_y + 2, source_x + 2)
+    assert tuple(level.nnf[y, x]) == (source_y + 2, source_x + 2)
 print(f"{kept} claims within the budget, {len(winners)} settled")

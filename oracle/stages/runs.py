@@ -4,6 +4,7 @@ import numpy as np
 
 from oracle.stages.levels import level_of_case
 from oracle.stages.stage import SEARCH, Stage
+from oracle.stages.stylit import CLAIMS
 from stylit_ref import Params
 from stylit_ref.stylization.backends import Backend
 from stylit_ref.stylization.problem import make_synthesis
@@ -68,5 +69,5 @@ _RUN = (
 STAGES = {
     "level": Stage(_level, (*SEARCH, "download", "occurrence_map", "vote", "similarity")),
     "run": Stage(_run, (*_RUN, "means", "guide_map")),
-    "stylit_run": Stage(_run, (*_RUN, "invert_nnf", "settle_claims")),
+    "stylit_run": Stage(_run, (*_RUN, *CLAIMS)),
 }

@@ -20,28 +20,20 @@ def _knee(_, parameters, arrays):
 
 
 def _invert_nnf(passes, parameters, arrays):
-    claims, errors = _claims(parameters, arrays)
+    claims, errors = arrays["claims"].copy(), arrays["errors"].copy()
     passes.invert_nnf(arrays["nnf"], arrays["delta"], parameters["patch_width"], claims, errors)
-    return {"claims": claims - parameters["patch_width"] // 2, "errors": errors}
-
-
-def _claims(parameters, arrays):
-    """Claims as the passes take them: in coordinates of the padded target."""
-    return arrays["claims"] + np.int32(parameters["patch_width"] // 2), arrays["errors"].copy()
+    return {"claims": claims, "errors": errors}
 
 
 def _settle(passes, parameters, arrays):
-    radius = parameters["patch_width"] // 2
-    claims, errors = _claims(parameters, arrays)
     nnf, delta = arrays["nnf"].copy(), arrays["delta"].copy()
-    fixed = np.pad(arrays["fixed"], radius, constant_values=True)
-    taken = np.where(fixed, stylit.FIXED, stylit.FREE).astype(np.int32)
+    taken = np.where(arrays["fixed"], np.uint8(stylit.FIXED), np.uint8(stylit.FREE))
     passes.settle_claims(
-        claims, errors, parameters["last_error"], parameters["last_claims"], arrays["limits"],
+        arrays["claims"], arrays["errors"],
+        parameters["last_error"], parameters["last_claims"], arrays["limits"],
         taken, parameters["patch_width"], nnf, delta,
     )  # fmt: skip
-    inside = taken[radius:-radius, radius:-radius]
-    return {"nnf": nnf, "delta": delta, "claimed": inside == stylit.CLAIMED}
+    return {"nnf": nnf, "delta": delta, "claimed": taken == stylit.CLAIMED}
 
 
 def _search(passes, parameters, arrays):
@@ -60,12 +52,19 @@ def _search(passes, parameters, arrays):
     return {"nnf": level.nnf, "delta": level.delta, "fixed_counts": np.array(fixed, np.int64)}
 
 
+CLAIMS = (
+    "claim_errors", "invert_nnf", "lose_claims", "propagate_claims", "search_claims",
+    "settle_claims",
+)  # fmt: skip
+"""Passes of the retrievals."""
+
 STAGES = {
     "budget": Stage(_budget),
     "knee": Stage(_knee),
     "invert_nnf": Stage(_invert_nnf, ("invert_nnf",)),
     "settle": Stage(_settle, ("settle_claims",)),
     "stylit_search": Stage(
-        _search, (*SEARCH, "download", "random_nnf", "similarity", "invert_nnf", "settle_claims")
+        _search,
+        (*SEARCH, "download", "random_nnf", *CLAIMS),
     ),
 }

@@ -1,6 +1,8 @@
 """The passes: loops on the CPU that apply the formulae to whole arrays."""
 
-from stylit_ref.passes.claims import invert_nnf, settle_claims
+from stylit_ref.passes.claim_propagation import propagate_claims
+from stylit_ref.passes.claim_search import search_claims
+from stylit_ref.passes.claims import claim_errors, invert_nnf, lose_claims, settle_claims
 from stylit_ref.passes.commit import commit
 from stylit_ref.passes.energy import energy
 from stylit_ref.passes.guide_map import guide_map
@@ -19,6 +21,7 @@ from stylit_ref.passes.vote import vote
 
 __all__ = [
     "box_sum",
+    "claim_errors",
     "commit",
     "count_assignments",
     "download",
@@ -26,16 +29,19 @@ __all__ = [
     "energy",
     "guide_map",
     "invert_nnf",
+    "lose_claims",
     "means",
     "moments_storage",
     "occurrence_map",
     "patch_moments",
+    "propagate_claims",
     "propagation",
     "random_nnf",
     "random_search",
     "repeat_edge",
     "replay_vote",
     "scanline",
+    "search_claims",
     "settle_claims",
     "similarity",
     "upload",

@@ -8,11 +8,11 @@ section 3.3).
 import numpy as np
 from numba import njit
 
-_MULTIPLIER_0 = np.uint64(0xD2511F53)
-_MULTIPLIER_1 = np.uint64(0xCD9E8D57)
-_WEYL_0 = np.uint32(0x9E3779B9)
-_WEYL_1 = np.uint32(0xBB67AE85)
-_ROUNDS = 10
+MULTIPLIER_0 = np.uint64(0xD2511F53)
+MULTIPLIER_1 = np.uint64(0xCD9E8D57)
+WEYL_0 = np.uint32(0x9E3779B9)
+WEYL_1 = np.uint32(0xBB67AE85)
+ROUNDS = 10
 
 # A draw of random numbers; or what tells one stream of them from another.
 FourWords = tuple[np.uint32, np.uint32, np.uint32, np.uint32]
@@ -35,15 +35,15 @@ def philox4x32(
     c0, c1 = np.uint32(counter_0), np.uint32(counter_1)
     c2, c3 = np.uint32(counter_2), np.uint32(counter_3)
     k0, k1 = np.uint32(key_0), np.uint32(key_1)
-    for _ in range(_ROUNDS):
-        product_0 = np.uint64(c0) * _MULTIPLIER_0
-        product_1 = np.uint64(c2) * _MULTIPLIER_1
+    for _ in range(ROUNDS):
+        product_0 = np.uint64(c0) * MULTIPLIER_0
+        product_1 = np.uint64(c2) * MULTIPLIER_1
         c0 = np.uint32(np.uint32(product_1 >> np.uint64(32)) ^ c1 ^ k0)
         c1 = np.uint32(product_1 & np.uint64(0xFFFFFFFF))
         c2 = np.uint32(np.uint32(product_0 >> np.uint64(32)) ^ c3 ^ k1)
         c3 = np.uint32(product_0 & np.uint64(0xFFFFFFFF))
-        k0 = np.uint32((np.uint64(k0) + np.uint64(_WEYL_0)) & np.uint64(0xFFFFFFFF))
-        k1 = np.uint32((np.uint64(k1) + np.uint64(_WEYL_1)) & np.uint64(0xFFFFFFFF))
+        k0 = np.uint32((np.uint64(k0) + np.uint64(WEYL_0)) & np.uint64(0xFFFFFFFF))
+        k1 = np.uint32((np.uint64(k1) + np.uint64(WEYL_1)) & np.uint64(0xFFFFFFFF))
     return c0, c1, c2, c3
 
 

@@ -14,11 +14,9 @@ The search between two votes follows Hauptfleisch 2020, 2.3.1, with the changes 
    no source patch is close to the remaining target patches.
 4. The vote.
 
-PatchMatch runs both ways with the same passes. For a retrieval, source and target are swapped. The
-padded target can be a source, since its patches lie inside it. The source can be a target: its
-border of ``radius`` pixels serves as the padding. A map of taken patches replaces W. Its weight is
-so large that λρ of a fixed patch exceeds every δ, so the search skips fixed patches as it skips
-patches that are used too often.
+A retrieval is PatchMatch with source and target in each other's place. Every target patch that is
+fixed counts as worse than every free one. Its passes leave out what cannot change a claim
+(:mod:`stylit_ref.formulae.claim_state`), and keep the decisions of the plain ones.
 """
 
 from collections.abc import Iterator
@@ -28,8 +26,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stylit_ref.formulae.candidates import PROPAGATION_DISTANCES
-from stylit_ref.metric.proposal import Proposal
-from stylit_ref.metric.textures import Textures
+from stylit_ref.formulae.claim_state import LOST, UNKNOWN
 from stylit_ref.passes.claims import CLAIMED, FIXED, FREE
 from stylit_ref.randomness.philox import FourWords
 from stylit_ref.randomness.random_stream import (
@@ -39,10 +36,8 @@ from stylit_ref.randomness.random_stream import (
     random_stream,
 )
 from stylit_ref.stylization.error_budget import correspondences_within_budget
-from stylit_ref.stylization.exemplar import ExemplarLevel
-from stylit_ref.stylization.level import Level, join
+from stylit_ref.stylization.level import Level
 from stylit_ref.stylization.progress import SearchStep
-from stylit_ref.stylization.target import TargetLevel
 
 if TYPE_CHECKING:  # params imports the methods, which import this module
     from stylit_ref.stylization.params import Params
@@ -84,7 +79,7 @@ def search(
     retrieval = Retrieval(level, random_stream(seed, RETRIEVAL_NNF, level_number, vote))
     patches = int(np.count_nonzero(retrieval.taken == FREE))
     wanted = params.fixed_share * patches
-    least = LEAST_PROGRESS * min(patches, retrieval.delta.size)
+    least = LEAST_PROGRESS * min(patches, retrieval.errors.size)
     fixed = number = 0
     going_on = True
     while going_on:
@@ -100,74 +95,52 @@ def search(
 
 
 class Retrieval:
-    """PatchMatch from source to target that skips fixed target patches.
-
-    Source and target of the level are swapped; they share memory with the level, except for the
-    moments. NNF coordinates are those of the padded target: ``radius`` more than the target's own.
+    """PatchMatch from source to target that looks for target patches that are not fixed.
 
     Parameters
     ----------
     level : Level
         After a vote, with the NNF and δ of a search from target to source.
     stream : tuple of 4 uint32
-        Random numbers of the random NNF that it begins with.
+        Random numbers of the random claims that it begins with.
 
     Attributes
     ----------
-    proposal : Proposal
-        The arguments of the passes; W is replaced by a map of ``FREE`` and ``FIXED``.
+    claims : (H_A - 2 radius, W_A - 2 radius, 2) int32
+        The target patch that each source patch claims.
+    errors : (H_A - 2 radius, W_A - 2 radius) int64
+        Their δ.
+    states : (H_A - 2 radius, W_A - 2 radius) uint8
+        What is left to look at (:mod:`stylit_ref.formulae.claim_state`).
+    taken : (H_B, W_B) uint8
+        ``FREE`` or ``FIXED`` for every target patch.
     """
 
     level: Level
-    textures: Textures
-    proposal: Proposal
+    claims: NDArray[np.int32]
+    errors: NDArray[np.int64]
+    states: NDArray[np.uint8]
+    taken: NDArray[np.uint8]
 
     def __init__(self, level: Level, stream: FourWords) -> None:
         self.level = level
-        passes, packing, width = level.passes, level.packing, level.patch_width
-        radius = width // 2
-        source, target = level.textures.source, level.textures.target
-        self.textures = join(
-            ExemplarLevel(passes, packing, width, target),
-            TargetLevel(passes, packing, width, source),
-        )
-        taken = np.full(target.shape[:2], FIXED, np.int32)
-        inside = np.s_[radius : target.shape[0] - radius, radius : target.shape[1] - radius]
-        taken[inside][level.nnf[:, :, 0] >= 0] = FREE
-
-        patches = self.textures.target_moments.shape[:2]
-        nnf, delta = np.zeros((*patches, 2), np.int32), np.zeros(patches, np.int64)
-        passes.random_nnf(nnf, width, *target.shape[:2], stream)
-        passes.similarity(self.textures, width, nnf, delta)
-        passes.invert_nnf(level.nnf, level.delta, width, nnf, delta)
-        price = packing.largest_delta(width) + 1
-        self.proposal = Proposal(
-            self.textures, taken, price, width, nnf, delta, nnf.copy(), delta.copy()
-        )
-
-    @property
-    def nnf(self) -> NDArray[np.int32]:
-        """The target patch of each source patch, ``radius`` added to its coordinates."""
-        return self.proposal.nnf
-
-    @property
-    def delta(self) -> NDArray[np.int64]:
-        """Their δ."""
-        return self.proposal.delta
-
-    @property
-    def taken(self) -> NDArray[np.int32]:
-        """``FREE`` or ``FIXED`` for every target patch, in place of W."""
-        return self.proposal.omega_sums
+        passes, width = level.passes, level.patch_width
+        self.taken = np.where(level.nnf[:, :, 0] >= 0, np.uint8(FREE), np.uint8(FIXED))
+        patches = tuple(length - width + 1 for length in level.textures.source.shape[:2])
+        self.claims, self.errors = np.zeros((*patches, 2), np.int32), np.zeros(patches, np.int64)
+        passes.random_nnf(self.claims, 1, *self.taken.shape, stream)
+        passes.claim_errors(level.textures, width, self.claims, self.errors)
+        passes.invert_nnf(level.nnf, level.delta, width, self.claims, self.errors)
+        self.states = np.full(patches, UNKNOWN, np.uint8)
+        passes.lose_claims(self.claims, self.taken, self.states)
+        self._spare = tuple(map(np.empty_like, (self.claims, self.errors, self.states)))
 
     def improve(self, stream: FourWords) -> None:
-        """One PatchMatch iteration; every proposal is accepted, since the map does not change."""
+        """One PatchMatch iteration; each pass takes all claims of the one before."""
         passes = self.level.passes
         for distance in PROPAGATION_DISTANCES:
-            passes.propagation(*self.proposal, distance)
-            self.proposal = self.proposal.accepted()
-        passes.random_search(*self.proposal, stream, max(self.level.delta.shape))
-        self.proposal = self.proposal.accepted()
+            self._improve(passes.propagate_claims, distance)
+        self._improve(passes.search_claims, stream)
 
     def settle(self, budget: Literal["hyperbola"] | float, limits: NDArray[np.int64]) -> int:
         """Fix the target patches of the claims that the error budget covers.
@@ -183,15 +156,15 @@ class Retrieval:
         int
             Number of target patches fixed.
         """
-        free = self.taken[self.nnf[:, :, 0], self.nnf[:, :, 1]] == FREE
-        errors = np.sort(self.delta[free])
+        errors = np.sort(self.errors[self.states < LOST])
         if not errors.size:
             return 0
         within = correspondences_within_budget(errors, budget)
         last_error = errors[within - 1]
-        self.level.passes.settle_claims(
-            self.nnf,
-            self.delta,
+        passes = self.level.passes
+        passes.settle_claims(
+            self.claims,
+            self.errors,
             last_error,
             within - np.searchsorted(errors, last_error),
             limits,
@@ -202,4 +175,11 @@ class Retrieval:
         )
         claimed = self.taken == CLAIMED
         self.taken[claimed] = FIXED
+        passes.lose_claims(self.claims, self.taken, self.states)
         return int(np.count_nonzero(claimed))
+
+    def _improve(self, propose, *arguments):
+        own = self.claims, self.errors, self.states
+        width = self.level.patch_width
+        propose(self.level.textures, self.taken, width, *own, *self._spare, *arguments)
+        (self.claims, self.errors, self.states), self._spare = self._spare, own

@@ -42,7 +42,8 @@ def assert_same(device, host):
 
 
 CPU_ALONE = {
-    "box_sum", "count_assignments", "invert_nnf", "replay_vote", "scanline", "settle_claims",
+    "box_sum", "claim_errors", "count_assignments", "invert_nnf", "lose_claims",
+    "propagate_claims", "replay_vote", "scanline", "search_claims", "settle_claims",
 }  # fmt: skip
 
 

@@ -57,28 +57,27 @@ def errors_of(level):
 @pytest.mark.parametrize("case", CASES, ids=str)
 def test_a_retrieval_comes_near_the_closest_free_target_patches(case):
     level, retrieval = make_retrieval(**case)
-    radius = level.patch_width // 2
-    taken = np.random.default_rng(5).random(level.delta.shape) < 0.7
-    inside = retrieval.taken[radius:-radius, radius:-radius]
-    inside[taken] = FIXED
-    assert (inside[level.nnf[:, :, 0] < 0] == FIXED).all()
+    retrieval.taken[np.random.default_rng(5).random(level.delta.shape) < 0.7] = FIXED
+    level.passes.lose_claims(retrieval.claims, retrieval.taken, retrieval.states)
+    assert (retrieval.taken[level.nnf[:, :, 0] < 0] == FIXED).all()
     for iteration in range(1, 31):
         retrieval.improve(random_stream(4, RETRIEVAL_SEARCH, 1, 1, iteration))
     errors = errors_of(level)
-    for y, x in np.ndindex(*retrieval.delta.shape):
-        place = retrieval.nnf[y, x]
-        assert retrieval.taken[tuple(place)] == FREE
-        assert retrieval.delta[y, x] == errors[(*(place - radius), y, x)]
-    least = np.where(inside[:, :, None, None] == FREE, errors, np.iinfo(np.int64).max)
-    best, chance = least.min(axis=(0, 1)).mean(), errors[inside == FREE].mean()
-    assert retrieval.delta.mean() - best < 0.15 * (chance - best)
+    for y, x in np.ndindex(*retrieval.errors.shape):
+        place = tuple(retrieval.claims[y, x])
+        assert retrieval.taken[place] == FREE
+        assert retrieval.errors[y, x] == errors[(*place, y, x)]
+    free = retrieval.taken == FREE
+    least = np.where(free[:, :, None, None], errors, np.iinfo(np.int64).max)
+    best, chance = least.min(axis=(0, 1)).mean(), errors[free].mean()
+    assert retrieval.errors.mean() - best < 0.15 * (chance - best)
 
 
 def test_a_retrieval_starts_from_the_target_to_source_field_turned_round():
     level, retrieval = make_retrieval()
     for y, x in np.ndindex(*level.delta.shape):
         source_y, source_x = level.nnf[y, x] - 2
-        assert retrieval.delta[source_y, source_x] <= level.delta[y, x]
+        assert retrieval.errors[source_y, source_x] <= level.delta[y, x]
 
 
 def test_a_free_patch_is_taken_at_any_error():
@@ -89,12 +88,13 @@ def test_a_free_patch_is_taken_at_any_error():
     level.textures.target[:, 4:] = 255
     level.update_similarity()
     retrieval = Retrieval(level, random_stream(4, RETRIEVAL_NNF, 1, 1))
-    retrieval.taken[:, :6] = FIXED
-    retrieval.nnf[:] = 2
-    level.passes.similarity(retrieval.textures, 5, retrieval.nnf, retrieval.delta)
+    retrieval.taken[:, :4] = FIXED
+    retrieval.claims[:] = 0
+    level.passes.claim_errors(level.textures, 5, retrieval.claims, retrieval.errors)
+    level.passes.lose_claims(retrieval.claims, retrieval.taken, retrieval.states)
     for iteration in range(1, 6):
         retrieval.improve(random_stream(4, RETRIEVAL_SEARCH, 1, 1, iteration))
-    assert (retrieval.nnf[:, :, 1] >= 6).all()
+    assert (retrieval.claims[:, :, 1] >= 4).all()
 
 
 def test_a_small_source_searches_the_whole_target():
