@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from stylit_ref.studio.engine.events import Picture
 from stylit_ref.studio.painting.folder import LARGEST_SERIAL
 
 VERSION = 2
@@ -256,61 +257,38 @@ def said(word: str, values: Mapping[str, Any] | None = None) -> str:
     return json.dumps({"say": word, **(values or {})}, separators=(",", ":"), allow_nan=False)
 
 
-def picture_bytes(
-    which: str, image: NDArray[np.uint8], serial: int, milliseconds: float, of: str = ""
-) -> bytes:
-    """A picture for the page.
-
-    Parameters
-    ----------
-    which : str
-        One of :data:`PICTURES`.
-    image : (h, w, 3) uint8
-    serial : int
-        That of the last paint in it.
-    milliseconds : float
-        How long it took.
-    of : str
-        Of a look: what was asked for.
-    """
-    return _image_bytes(_PICTURE_KIND, PICTURES.index(which), image, serial, milliseconds, of)
+def picture_bytes(picture: Picture) -> bytes:
+    """A picture for the page."""
+    return _head_of(_PICTURE_KIND, picture) + _rows(picture.image)
 
 
-def changes_bytes(
-    which: str,
-    image: NDArray[np.uint8],
-    serial: int,
-    milliseconds: float,
-    of: str,
-    changed: NDArray[np.bool_],
-    tiles: NDArray[np.uint8],
-) -> bytes:
+def changes_bytes(picture: Picture, changed: NDArray[np.bool_], tiles: NDArray[np.uint8]) -> bytes:
     """What differs in a picture from the one that the page was sent before, of the same size.
 
     Parameters
     ----------
-    which, image, serial, milliseconds, of
-        As :func:`picture_bytes` takes them.
+    picture : Picture
     changed : (rows, columns) bool
         Tiles that differ; they follow the header as bits, row by row, the lowest first.
     tiles : (n, 16, 48) uint8
         Those tiles, in this order, whole also where they reach beyond the picture.
     """
-    head = _head(_CHANGES_KIND, PICTURES.index(which), image, serial, milliseconds, of)
-    return head + np.packbits(changed, bitorder="little").tobytes() + tiles.tobytes()
+    bits = np.packbits(changed, bitorder="little").tobytes()
+    return _head_of(_CHANGES_KIND, picture) + bits + tiles.tobytes()
 
 
 def painting_bytes(painting: NDArray[np.uint8], serial: int) -> bytes:
     """The painting, (h, w, 3) uint8, for the page."""
-    return _image_bytes(_PAINTING_KIND, 0, painting, serial, 0.0)
+    height, width = painting.shape[:2]
+    return _IMAGE.pack(_PAINTING_KIND, 0, width, height, 0, serial, 0.0) + _rows(painting)
 
 
-def _image_bytes(kind, which, image, serial, milliseconds, of=""):
-    head = _head(kind, which, image, serial, milliseconds, of)
-    return head + np.ascontiguousarray(image).tobytes()
+def _head_of(kind, picture):
+    height, width = picture.image.shape[:2]
+    which, name = PICTURES.index(picture.which), picture.of.encode("utf-8", "replace")
+    told = picture.serial, picture.milliseconds
+    return _IMAGE.pack(kind, which, width, height, len(name), *told) + name
 
 
-def _head(kind, which, image, serial, milliseconds, of):
-    height, width = image.shape[:2]
-    name = of.encode("utf-8", "replace")
-    return _IMAGE.pack(kind, which, width, height, len(name), serial, milliseconds) + name
+def _rows(image):
+    return np.ascontiguousarray(image).tobytes()

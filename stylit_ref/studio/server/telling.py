@@ -64,9 +64,7 @@ class Telling:
             visitor.outbox.show(kind, picture)
 
     def _show(self, event: Picture) -> None:
-        picture = SentPicture(
-            event.which, event.image, event.serial, event.milliseconds, event.of
-        )  # fmt: skip
+        picture = SentPicture(event)
         if event.which in _ASKED_FOR:
             if self._visitors.painter:
                 self._visitors.painter.outbox.show(f"{event.which} {event.of}", picture)

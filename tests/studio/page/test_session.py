@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from stylit_ref.studio.engine.events import Picture
 from stylit_ref.studio.server.sent_picture import SentPicture
 
 pytestmark = pytest.mark.slow  # a browser is a process of its own
@@ -123,11 +124,11 @@ def test_a_painting_from_elsewhere_is_taken_over_and_can_be_undone(open_page, st
 
 def test_of_a_picture_its_changes_are_enough(open_page, studio):
     page = open_page(studio).started()
-    before = SentPicture("coherent", 255 - studio.painting, studio.serial, 42.0)
-    image = before.image.copy()
+    before = SentPicture(Picture("coherent", 255 - studio.painting, studio.serial, 42.0))
+    image = before.picture.image.copy()
     image[5:40, 100:150] = 1, 2, 3
     image[-1, -1] = 9
-    message = SentPicture("fast", image, studio.serial, 2.0).message(before)
+    message = SentPicture(Picture("fast", image, studio.serial, 2.0)).message(before)
     assert len(message) < image.size / 2
     studio.say(message)
     page.until("window.stylitStudio.result.which", "fast")
