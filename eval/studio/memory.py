@@ -20,8 +20,12 @@ PARTS = {
 
 _LEAST_ROWS = 3
 
-_RESTS = 1.5
-"""Seconds until a scene that is chosen is there."""
+_RESTS = 5.0
+"""Seconds until the choice of a scene shows."""
+
+_AT_REST = f"""['fast', 'full'].includes({PICTURE})
+  && document.getElementById('working').textContent === ''"""
+"""Whether the finer picture is there, and nothing else is being made."""
 
 _FIELD = """([kind, chance, place, value]) => {
   const isMoved = (each) => !each.labels[0].textContent.startsWith("patch width");
@@ -120,7 +124,7 @@ class Painter:
         """Choose the first scene, and wait until all is at rest."""
         self._hand.set("scene", self._hand.choices("scene")[0])
         time.sleep(_RESTS)
-        self._page.until("document.getElementById('working').textContent === ''")
+        self._page.until(_AT_REST)
 
     def _finish(self):
         self._page.page.locator("#finish").click()
