@@ -15,9 +15,11 @@ from numba.core.dispatcher import Dispatcher
 from stylit_ref.machine.forks import survive_forks
 from stylit_ref.machine.interruption import heed_waiting
 from stylit_ref.machine.kernel_cache import KernelCache
+from stylit_ref.machine.names import tell_functions_apart
 from stylit_ref.notes import note
 
 survive_forks()  # here, since every kernel comes from here
+tell_functions_apart()
 
 Arguments = ParamSpec("Arguments")
 
