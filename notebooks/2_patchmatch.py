@@ -18,19 +18,19 @@
 # patch against all others, then a nearest-neighbour field from noise to order, commit by commit,
 # with a slider. It covers thesis 1.3 and 2.4, and the parallel kernels of 3.3.
 
-# %%
+# %% tags=["hide-input"]
 from dataclasses import replace
+from importlib.resources import files
 
 import matplotlib.pyplot as plt
 import numpy as np
 from IPython.display import HTML, display
 from matplotlib.animation import FuncAnimation
 from scipy.spatial.distance import cdist
+from skimage.color import lab2rgb
 from skimage.util import view_as_windows
 
-from eval.pages.figures import nnf_colours
-from eval.scenes import load_scene
-from stylit_ref import Params, passes, replay, stylize
+from stylit_ref import Params, passes, read_uint8, replay, stylize
 from stylit_ref.formulae.candidates import propagation_candidate
 from stylit_ref.formulae.patch_similarity import delta
 from stylit_ref.machine.replaced import replaced
@@ -39,12 +39,25 @@ from stylit_ref.stylization import schedules
 from stylit_ref.stylization.backends import Backend
 from stylit_ref.stylization.problem import make_synthesis
 
-# Half the size of the bundled images, so that nothing takes long.
-scene = load_scene("hand/crayon")
-style = passes.downsample(scene.style)
-source_guides = [passes.downsample(guide) for guide in scene.source_guides]
-target_guides = [passes.downsample(guide) for guide in scene.target_guides]
+DATA = files("data_gen") / "bundled"
+GUIDES = "FULL", "LDE", "LSE", "LDDE", "LD12E"
+
+
+def half(name):
+    """A bundled image at 150x114, so that nothing takes long."""
+    return passes.downsample(read_uint8(DATA / name))
+
+
+style = half("source/styles/crayon.png")
+source_guides = [half(f"source/{guide}.png") for guide in GUIDES]
+target_guides = [half(f"hand/{guide}.png") for guide in GUIDES]
 SEED = 1
+
+
+def nnf_colours(nnf, source_size):
+    """Green to red from left to right, blue to yellow from top to bottom; all equally light."""
+    down, along = np.moveaxis(nnf / np.array(source_size), 2, 0)
+    return lab2rgb(np.stack([np.full_like(down, 70), 90 * along - 45, 90 * down - 45], axis=2))
 
 
 def show(place, image, title, **how):

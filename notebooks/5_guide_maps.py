@@ -23,7 +23,7 @@
 # candidates and changes not a byte of the result (thesis 3.2 ends its own comparison early in the
 # same spirit).
 
-# %%
+# %% tags=["hide-input"]
 from importlib.resources import files
 
 import matplotlib.pyplot as plt

@@ -19,7 +19,7 @@
 # energy of a whole texture fall, and ends with a picture whose energy is low and which is no good.
 # It covers sections 3 to 6 and 8 of the paper.
 
-# %%
+# %% tags=["hide-input"]
 import matplotlib.pyplot as plt
 import numpy as np
 from scipy.stats import wasserstein_distance

@@ -18,7 +18,7 @@
 # bytes, then work on fine levels, and at last starts where the frame before it ended. It covers
 # sections 3.4, 4.2 and 5.2 of that thesis, and redraws its Figures 14, 15 and 17 from our scenes.
 
-# %%
+# %% tags=["hide-input"]
 from pathlib import Path
 from time import process_time
 
