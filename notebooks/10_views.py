@@ -13,6 +13,9 @@
 # %% [markdown]
 # # 10. Views: a drawing that turns
 #
+# ![A drawn house between four views: blended, pictures shifted, NNFs shifted, and
+# searched](pictures/10_views.webp)
+#
 # An architect draws over one rendering of a house, and the drawing is carried over to nine other
 # views of it. Each of the nine is good. Why does the house boil as soon as it turns? And what do
 # you show *between* two views, when a drawing takes a second and a screen wants sixty of them?
@@ -52,6 +55,23 @@ from stylit_ref.views.run_writer import RunWriter
 HOUSE = files("data_gen") / "bundled" / "house"
 NAMES = [f"{row}_{column}" for row in range(3) for column in range(3)]
 GUIDES = "FULL", "LDE", "LDDE", "LSE", "LIGHTMASK", "WIREFRAME"
+
+
+def slider(files):
+    """Pictures of bytes, of which a slider shows one; it works without a network."""
+    pictures = "".join(
+        f'<img alt="picture {number}" style="display: {"none" if number else "block"}" '
+        f'src="data:image/webp;base64,{b64encode(file).decode()}">'
+        for number, file in enumerate(files)
+    )
+    choose = (
+        "for (const [n, picture] of [...this.parentNode.querySelectorAll('img')].entries()) "
+        "picture.style.display = n == this.value ? 'block' : 'none'"
+    )
+    return HTML(
+        f'<div><input type="range" value="0" max="{len(files) - 1}" style="width: 30em" '
+        f'aria-label="which picture" oninput="{choose}">{pictures}</div>'
+    )
 
 
 def show(place, image, title, **how):
@@ -363,19 +383,8 @@ for step in np.linspace(-1, 1, 17):
     halves = [views.picture((step, 0.2), "fade") for views in (between_alone, between)]
     file = BytesIO()
     Image.fromarray(np.hstack(halves)).save(file, "webp", quality=80)
-    frames.append(b64encode(file.getvalue()).decode())
-choose = "for (const [n, frame] of [...this.parentNode.querySelectorAll('img')].entries()) "
-choose += "frame.style.display = n == this.value ? 'block' : 'none'"
-HTML(
-    f'<div><input type="range" value="0" max="{len(frames) - 1}" style="width: 600px" '
-    f'aria-label="from left to right" oninput="{choose}">'
-    + "".join(
-        f'<img alt="the house from place {number}" src="data:image/webp;base64,{frame}" '
-        f'style="display: {"none" if number else "block"}">'
-        for number, frame in enumerate(frames)
-    )
-    + "</div>"
-)
+    frames.append(file.getvalue())
+slider(frames)
 
 # %% [markdown]
 # The library moves by the mesh of a scene, or by passes of positions, where it has them; here it

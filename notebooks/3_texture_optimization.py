@@ -13,6 +13,9 @@
 # %% [markdown]
 # # 3. Texture optimization
 #
+# ![A helmet made on one level, blurred, and on six, crisp; beside them, where votes
+# disagree](pictures/3_texture_optimization.webp)
+#
 # PatchMatch needs a picture to find patches for, and the picture is to be made of patches. Texture
 # optimization breaks the circle by taking turns: search with the picture fixed, vote with the
 # patches fixed, and begin small. This notebook follows a picture from its first vote to its last,
@@ -239,7 +242,7 @@ plt.show()
 # $\operatorname{Var} = \overline{s^2} - \bar s^2$.
 
 
-# %%
+# %% tags=["picture"]
 def disagreement(nnf):
     """Standard deviation of the votes for each pixel, mean over the channels."""
     style = painted.astype(np.float32)

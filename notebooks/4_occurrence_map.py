@@ -13,6 +13,9 @@
 # %% [markdown]
 # # 4. Wash-out and the occurrence map
 #
+# ![A sphere in crayon, and a dinosaur stylized with λ = 0, 10000 and 100000; below, their
+# grain](pictures/4_occurrence_map.webp)
+#
 # Texture optimization takes the closest patches, and smooth patches are close to everything. So it
 # uses few patches often and loses what makes a style rich: it washes out. The occurrence map
 # counts how often each pixel of the style is used and makes what is used too often dearer. This
@@ -20,12 +23,13 @@
 # a slider (thesis 1.2, 2.1, 2.2 and 4.3).
 
 # %% tags=["hide-input"]
+from base64 import b64encode
 from importlib.resources import files
+from io import BytesIO
 
 import matplotlib.pyplot as plt
 import numpy as np
-from IPython.display import HTML, display
-from matplotlib.animation import FuncAnimation
+from IPython.display import HTML
 from matplotlib.colors import LogNorm
 from scipy.stats import entropy
 from skimage.filters import gaussian
@@ -52,9 +56,27 @@ images = style, source_guides, target_guides
 [source_ids], [target_ids] = guides_of("source", ["IDMASK"]), guides_of("stego", ["IDMASK"])
 WIDTH = 5
 RADIUS = WIDTH // 2
+SMALL = {"votes": 4, "patchmatch_iterations": 3}  # a third of the thesis' work, for each run
 source_size, target_size = style.shape[:2], target_guides[0].shape[:2]
 target_patches = target_size[0] * target_size[1]
 best = omega_best(WIDTH, source_size[0] * source_size[1], target_patches)
+
+
+def slider(files):
+    """Pictures of bytes, of which a slider shows one; it works without a network."""
+    pictures = "".join(
+        f'<img alt="picture {number}" style="display: {"none" if number else "block"}" '
+        f'src="data:image/webp;base64,{b64encode(file).decode()}">'
+        for number, file in enumerate(files)
+    )
+    choose = (
+        "for (const [n, picture] of [...this.parentNode.querySelectorAll('img')].entries()) "
+        "picture.style.display = n == this.value ? 'block' : 'none'"
+    )
+    return HTML(
+        f'<div><input type="range" value="0" max="{len(files) - 1}" style="width: 30em" '
+        f'aria-label="which picture" oninput="{choose}">{pictures}</div>'
+    )
 
 
 def show(place, image, title, **how):
@@ -71,7 +93,7 @@ def show(place, image, title, **how):
 # does without the map.
 
 
-# %%
+# %% tags=["picture"]
 def detail(image):
     """Fine detail of each pixel: its squared difference from a Gaussian blur, σ = 1."""
     blurred = gaussian(image.astype(float), 1, channel_axis=2, preserve_range=True)
@@ -83,7 +105,7 @@ def richness(image, style):
 
 
 runs = {
-    uniformity: stylize(*images, Params(uniformity=uniformity))
+    uniformity: stylize(*images, Params(uniformity=uniformity, **SMALL))
     for uniformity in (0, 5000, 10000, 15000, 50000, 100000)
 }
 
@@ -236,16 +258,18 @@ heated = show(axes[1], usage(runs[0].omega), "Ω / ω_best", cmap=heat, norm=sca
 fig.colorbar(heated, ax=axes[1], shrink=0.8)
 
 
-def draw(number):
-    uniformity, run = list(runs.items())[number]
+def drawn(uniformity, run):
     painted.set_data(run.image)
     heated.set_data(usage(run.omega))
     axes[0].set_title(f"λ = {uniformity}", fontsize=9)
+    file = BytesIO()
+    fig.savefig(file, format="webp")
+    return file.getvalue()
 
 
-animation = FuncAnimation(fig, draw, frames=len(runs), interval=1200)
+pictures = [drawn(uniformity, run) for uniformity, run in runs.items()]
 plt.close(fig)
-display(HTML(animation.to_jshtml(default_mode="once")))
+slider(pictures)
 
 # %% [markdown]
 # ## What λ buys, and what it costs

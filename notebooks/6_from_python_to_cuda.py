@@ -13,6 +13,9 @@
 # %% [markdown]
 # # 6. From Python to CUDA
 #
+# ![A golem without λ, one pixel after another, with Ω frozen, and by propose and
+# commit](pictures/6_from_python_to_cuda.webp)
+#
 # On a GPU every target patch gets a thread of its own. The mathematics of a patch stays the same,
 # and so does the code: this notebook runs the same formulae in a loop of the CPU and in CUDA
 # kernels (thesis 3.2 to 3.4), and compares bytes.
@@ -98,7 +101,7 @@ print(inspect.getsource(cpu_module.random_nnf))
 print(inspect.getsource(inspect.getmodule(gpu_cuda.random_nnf)))
 
 # %%
-HEIGHT, WIDTH = 20, 24
+HEIGHT, WIDTH = 16, 20
 style = reduced("source/styles/oil.png", 3)
 source_guides = [reduced(f"source/{guide}.png", 3) for guide in GUIDES]
 window = np.s_[3 : 3 + HEIGHT, 6 : 6 + WIDTH]
@@ -324,7 +327,7 @@ np.testing.assert_array_equal(
 )
 
 
-# %%
+# %% tags=["picture"]
 def detail(image):
     """Fine detail of each pixel: its squared difference from a Gaussian blur, σ = 1."""
     blurred = gaussian(image.astype(float), 1, channel_axis=2, preserve_range=True)

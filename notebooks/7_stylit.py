@@ -13,6 +13,9 @@
 # %% [markdown]
 # # 7. StyLit: the style looks for its place
 #
+# ![A teapot by λ = 0, by λ = 10000 and by StyLit; below, how often the style was
+# used](pictures/7_stylit.webp)
+#
 # Everything so far searched from target to source: each target patch takes the source patch it
 # likes best, and an occurrence map keeps them from liking the same ones. StyLit (Fišer et al.
 # 2016; thesis 1.5) turns the question round. Each patch of the *style* looks for its place in the
@@ -245,7 +248,7 @@ plt.show()
 # Whole runs now, from coarse to fine.
 
 
-# %%
+# %% tags=["picture"]
 def detail(image):
     """Fine detail of each pixel: its squared difference from a Gaussian blur, σ = 1."""
     blurred = gaussian(image.astype(float), 1, channel_axis=2, preserve_range=True)
