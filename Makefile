@@ -13,7 +13,7 @@ ARGS ?=
 WORKERS ?= 2
 PYTHONS ?= 3.11 3.12 3.13 3.14
 
-.PHONY: eval reports schedules epsilon stylit spilling levels bench scenes test test-fast test-gpu ptx docs wheel lowest lint viewer bundles data turntable blender help clean
+.PHONY: eval reports schedules epsilon stylit spilling levels bench scenes test test-fast test-gpu ptx docs notebooks wheel lowest lint viewer bundles data turntable blender help clean
 
 eval: $(VENV)/$(if $(SCHEDULER),cluster,eval).installed ## make the report on the thesis: PRESET=quick or thesis, SCHEDULER=ADDRESS, ARGS="--scene DIR"; DOCUMENT=lasram: on texture synthesis, heidrich: on real time
 	$(BIN)/python -m eval $(or $(DOCUMENT),dzurenko) $(if $(PRESET),--preset "$(PRESET)") $(if $(SCHEDULER),--scheduler "$(SCHEDULER)") $(ARGS)
@@ -120,8 +120,12 @@ node_modules/.package-lock.json: package-lock.json
 	npm ci --no-audit --no-fund --silent
 	touch $@
 
-docs: $(VENV)/docs.installed ## build the site, build/site/index.html: docs, notebooks, API, reports
+docs: $(VENV)/docs.installed node_modules/.package-lock.json ## build the site, build/site/index.html: docs, notebooks, API, reports; needs Node.js
 	$(BIN)/sphinx-build -W --keep-going --quiet -c docs . build/site
+
+notebooks: $(VENV)/notebooks.installed ## make the notebooks for Jupyter, build/jupyter/*.ipynb
+	$(BIN)/python docs/jupyter_notebooks.py build/jupyter
+	@echo "To open them: $(BIN)/jupyter lab build/jupyter"
 
 .venv-blender/bpy.installed: # in an environment of its own: it needs NumPy 1
 	test -x $(@D)/bin/python || $(PYTHON) -m venv $(@D)

@@ -4,6 +4,7 @@ import re
 from pathlib import Path
 
 import numba
+from sphinx.errors import ExtensionError
 
 numba.config.DISABLE_JIT = True  # formulae as the functions they were written as, with docstrings
 
@@ -54,6 +55,10 @@ nb_output_stderr = "warn"  # a warning fails the build
 
 html_theme = "furo"
 html_title = "stylit-ref"
+# Formulae show without a network: this MathJax holds its fonts as outlines.
+html_static_path = ["static", "../node_modules/mathjax/es5/tex-svg.js"]
+html_css_files = ["site.css"]
+mathjax_path = "tex-svg.js"
 templates_path = ["templates"]
 html_additional_pages = {"index": "redirect.html"}
 
@@ -71,7 +76,25 @@ def _skip_alias(app, kind, name, member, skip, options):
     return skip or (getattr(member, "__doc__", None) or "").startswith("Alias for field")
 
 
+_FROM_A_NETWORK = re.compile(
+    r"""<(?:script|link|img|source|iframe)\b[^>]*\b(?:src|href)=["']?(?:https?:)?//[^>]*>"""
+    r"""|(?:url\(|@import)\s*["']?(?:https?:)?//[^\s)"']*"""
+)
+
+
+def _refuse_a_network(app, problem):
+    """A page that loads something from elsewhere fails the build: the site is read offline too."""
+    if problem is None and app.builder.name == "html":
+        for file in (
+            file for end in ("html", "css") for file in Path(app.outdir).rglob(f"*.{end}")
+        ):
+            found = _FROM_A_NETWORK.search(file.read_text(encoding="utf-8"))
+            if found:
+                raise ExtensionError(f"{file}: loads {found[0]} from a network")
+
+
 def setup(app):
     """Called by Sphinx."""
     app.connect("autodoc-skip-member", _skip_alias)
     app.connect("source-read", _download_code)
+    app.connect("build-finished", _refuse_a_network)

@@ -13,25 +13,41 @@
 # %% [markdown]
 # # 1. Stylization by example
 #
+# ![A sphere, rendered and painted in oil; below, a golem, rendered and painted by the
+# program](pictures/1_stylization_by_example.webp)
+#
 # An artist paints over the rendering of a plain sphere. A program looks at the rendering and the
 # painting, and paints any other scene under the same light in the same manner. This notebook says
 # what goes in and what comes out: the four pictures of the analogy (thesis, Introduction), the
 # guides and the light paths they show (1.5), the nearest-neighbour field (2.1), and the weight of
 # the guides, μ (3.2). The notebooks that follow explain how the result is found.
 
-# %%
+# %% tags=["hide-input"]
+from dataclasses import replace
+from importlib.resources import files
+
 import matplotlib.pyplot as plt
 import numpy as np
 from scipy.spatial import cKDTree
+from skimage.color import lab2rgb
+from skimage.filters import gaussian
 
-from eval.metrics.sharpness import richness
-from eval.metrics.spilling import spilling
-from eval.pages.figures import nnf_colours
-from eval.scenes import load_scene
-from stylit_ref import Params, replay, stylize
+from stylit_ref import Params, read_uint8, replay, stylize
 from stylit_ref.files.colour.bit_depth import to_linear, to_uint8
 
-scene = load_scene("golem/oil")
+DATA = files("data_gen") / "bundled"
+GUIDES = "FULL", "LDE", "LSE", "LDDE", "LD12E"
+
+
+def guides_of(scene, names=GUIDES):
+    """Renderings of a bundled scene."""
+    return [read_uint8(DATA / scene / f"{name}.png") for name in names]
+
+
+style = read_uint8(DATA / "source/styles/oil.png")
+source_guides, target_guides = guides_of("source"), guides_of("golem")
+rendered = target_guides[0]
+[source_ids], [target_ids] = guides_of("source", ["IDMASK"]), guides_of("golem", ["IDMASK"])
 
 
 def show(place, image, title):
@@ -49,15 +65,17 @@ def show(place, image, title):
 #
 # $A$ is a rendering of the source scene, $A'$ the artist's painting over it, pixel upon pixel. $B$
 # is a rendering of the target scene. We want $B'$, which shows the target as $A'$ shows the
-# source. Images are arrays of 8-bit values, and one call does it all:
+# source. Images are arrays of 8-bit values, and one call does it all. (`QUICK` does a
+# third of the default's work, so that nothing takes long.)
 
-# %%
-result = stylize(scene.style, scene.source_guides, scene.target_guides, Params(), seed=0)
+# %% tags=["picture"]
+QUICK = Params(votes=4, patchmatch_iterations=3)
+result = stylize(style, source_guides, target_guides, QUICK, seed=0)
 
 fig, axes = plt.subplots(2, 2, figsize=(7.4, 5.9), layout="constrained")
-show(axes[0, 0], scene.source_guides[0], "A: source, rendered")
-show(axes[0, 1], scene.style, "A': source, painted (the style)")
-show(axes[1, 0], scene.shown_guide, "B: target, rendered")
+show(axes[0, 0], source_guides[0], "A: source, rendered")
+show(axes[0, 1], style, "A': source, painted (the style)")
+show(axes[1, 0], rendered, "B: target, rendered")
 show(axes[1, 1], result.image, "B': target, painted (the output)")
 plt.show()
 
@@ -86,9 +104,9 @@ plt.show()
 
 # %%
 fig, axes = plt.subplots(2, 5, figsize=(12, 3.9), layout="constrained")
-for column, name in enumerate(scene.guide_names):
-    show(axes[0, column], scene.source_guides[column], f"source, {name}")
-    show(axes[1, column], scene.target_guides[column], f"target, {name}")
+for column, name in enumerate(GUIDES):
+    show(axes[0, column], source_guides[column], f"source, {name}")
+    show(axes[1, column], target_guides[column], f"target, {name}")
 plt.show()
 
 # %% [markdown]
@@ -109,10 +127,10 @@ plt.show()
 
 # %%
 full_alone = stylize(
-    scene.style,
-    scene.source_guides,
-    scene.target_guides,
-    Params(guide_weights=(5, 0, 0, 0, 0)),
+    style,
+    source_guides,
+    target_guides,
+    replace(QUICK, guide_weights=(5, 0, 0, 0, 0)),
 )
 
 
@@ -121,16 +139,21 @@ def carried(image, nnf):
     return image[nnf[:, :, 0], nnf[:, :, 1]]
 
 
+def spilling(nnf):
+    """Target patches whose source patch is centred on another object than they are."""
+    return (source_ids[nnf[:, :, 0], nnf[:, :, 1]] != target_ids).any(axis=2)
+
+
 def guides_apart(nnf):
     """Mean difference of each guide from what the NNF carries to its place."""
-    pairs = zip(scene.source_guides, scene.target_guides, strict=True)
+    pairs = zip(source_guides, target_guides, strict=True)
     return [np.abs(carried(source, nnf).astype(int) - target).mean() for source, target in pairs]
 
 
 fig, axes = plt.subplots(2, 2, figsize=(7.4, 5.9), layout="constrained")
-print(f"{'':12}{'spilled':>9}" + "".join(f"{name:>8}" for name in scene.guide_names))
+print(f"{'':12}{'spilled':>9}" + "".join(f"{name:>8}" for name in GUIDES))
 for row, (name, run) in enumerate({"five guides": result, "FULL alone": full_alone}.items()):
-    spilled = spilling(run.nnf, scene.ids)
+    spilled = spilling(run.nnf)
     apart = "".join(f"{each:8.2f}" for each in guides_apart(run.nnf))
     print(f"{name:12}{spilled.mean():9.1%}{apart}")
     show(axes[row, 0], run.image, name)
@@ -155,14 +178,21 @@ plt.show()
 # $\varphi$. As a picture, each target pixel gets the colour that the key shows at its source
 # pixel.
 
+
 # %%
-height, width = scene.style.shape[:2]
+def nnf_colours(nnf, source_size):
+    """Green to red from left to right, blue to yellow from top to bottom; all equally light."""
+    down, along = np.moveaxis(nnf / np.array(source_size), 2, 0)
+    return lab2rgb(np.stack([np.full_like(down, 70), 90 * along - 45, 90 * down - 45], axis=2))
+
+
+height, width = style.shape[:2]
 identity = np.stack(np.mgrid[:height, :width], axis=2)
 
 fig, axes = plt.subplots(1, 3, figsize=(11, 3), layout="constrained")
 show(axes[0], nnf_colours(identity, (height, width)), "key: the places of the source")
 show(axes[1], nnf_colours(result.nnf, (height, width)), "NNF of the golem")
-show(axes[2], scene.style, "the style, for comparison")
+show(axes[2], style, "the style, for comparison")
 plt.show()
 
 # %% [markdown]
@@ -176,14 +206,14 @@ plt.show()
 # pieces of a sphere can.
 
 # %%
-again = replay(result.nnf, scene.style)
+again = replay(result.nnf, style)
 print("the style again is the output:", np.array_equal(again, result.image))
 
 fig, axes = plt.subplots(1, 3, figsize=(11, 3), layout="constrained")
-watercolour = load_scene("golem/watercolour").style
+watercolour = read_uint8(DATA / "source/styles/watercolour.png")
 show(axes[0], replay(result.nnf, watercolour), "the watercolour sphere through the NNF")
-show(axes[1], replay(result.nnf, scene.source_guides[0]), "the rendered sphere through the NNF")
-show(axes[2], scene.shown_guide, "what it should be: B")
+show(axes[1], replay(result.nnf, source_guides[0]), "the rendered sphere through the NNF")
+show(axes[2], rendered, "what it should be: B")
 plt.show()
 
 # %% [markdown]
@@ -199,14 +229,23 @@ plt.show()
 # fits the paint that is already there. $\mu$ decides between them; the thesis takes 2. What
 # happens at the ends?
 
+
 # %%
+def detail(image):
+    """Fine detail of each pixel: its squared difference from a Gaussian blur, σ = 1."""
+    blurred = gaussian(image.astype(float), 1, channel_axis=2, preserve_range=True)
+    return ((image - blurred) ** 2).mean(axis=2)
+
+
+def richness(image, style):
+    return detail(image).mean() / detail(style).mean()
+
+
 fig, axes = plt.subplots(1, 3, figsize=(11, 3), layout="constrained")
 for place, influence in zip(axes, (0, 2, 20), strict=True):
-    run = stylize(
-        scene.style, scene.source_guides, scene.target_guides, Params(guide_influence=influence)
-    )
-    apart, detail = np.mean(guides_apart(run.nnf)), richness(run.image, scene.style)
-    show(place, run.image, f"μ = {influence}: guides {apart:.1f} apart, richness {detail:.2f}")
+    run = stylize(style, source_guides, target_guides, replace(QUICK, guide_influence=influence))
+    apart, rich = np.mean(guides_apart(run.nnf)), richness(run.image, style)
+    show(place, run.image, f"μ = {influence}: guides {apart:.1f} apart, richness {rich:.2f}")
 plt.show()
 
 # %% [markdown]
@@ -232,7 +271,7 @@ def together(lde, ldde):
 
 
 # %%
-guides = dict(zip(scene.guide_names, scene.target_guides, strict=True))
+guides = dict(zip(GUIDES, target_guides, strict=True))
 off = np.abs(together(guides["LDE"], guides["LDDE"]).astype(int) - guides["LD12E"])
 assert off.mean() < 0.5, "on average more than rounding to 8 bits explains"
 assert off.max() <= 2, "some pixel is far off"
@@ -255,11 +294,11 @@ def lookup(source_guides, target_guides):
 
 
 # %%
-closest = lookup(scene.source_guides, scene.target_guides)
+closest = lookup(source_guides, target_guides)
 
 
 def squared_distances(nnf):
-    pairs = zip(scene.source_guides, scene.target_guides, strict=True)
+    pairs = zip(source_guides, target_guides, strict=True)
     return sum(((carried(a, nnf).astype(int) - b) ** 2).sum(axis=2) for a, b in pairs)
 
 
@@ -267,7 +306,7 @@ assert closest.shape == result.nnf.shape
 assert (squared_distances(closest) <= squared_distances(result.nnf)).all(), "not the closest"
 
 fig, axes = plt.subplots(1, 2, figsize=(7.4, 3), layout="constrained")
-show(axes[0], carried(scene.style, closest), "by lookup, pixel by pixel")
+show(axes[0], carried(style, closest), "by lookup, pixel by pixel")
 show(axes[1], result.image, "by patches")
 plt.show()
 

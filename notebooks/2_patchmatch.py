@@ -13,24 +13,28 @@
 # %% [markdown]
 # # 2. PatchMatch
 #
+# ![Three fields in the shape of a hand: after one iteration of each schedule, and after
+# six](pictures/2_patchmatch.webp)
+#
 # For every patch of the target we want the closest patch of the source. Comparing all pairs is out
 # of the question; PatchMatch guesses, and lets good guesses spread. This notebook watches it: one
 # patch against all others, then a nearest-neighbour field from noise to order, commit by commit,
 # with a slider. It covers thesis 1.3 and 2.4, and the parallel kernels of 3.3.
 
-# %%
+# %% tags=["hide-input"]
+from base64 import b64encode
 from dataclasses import replace
+from importlib.resources import files
+from io import BytesIO
 
 import matplotlib.pyplot as plt
 import numpy as np
-from IPython.display import HTML, display
-from matplotlib.animation import FuncAnimation
+from IPython.display import HTML
 from scipy.spatial.distance import cdist
+from skimage.color import lab2rgb
 from skimage.util import view_as_windows
 
-from eval.pages.figures import nnf_colours
-from eval.scenes import load_scene
-from stylit_ref import Params, passes, replay, stylize
+from stylit_ref import Params, passes, read_uint8, replay, stylize
 from stylit_ref.formulae.candidates import propagation_candidate
 from stylit_ref.formulae.patch_similarity import delta
 from stylit_ref.machine.replaced import replaced
@@ -39,12 +43,42 @@ from stylit_ref.stylization import schedules
 from stylit_ref.stylization.backends import Backend
 from stylit_ref.stylization.problem import make_synthesis
 
-# Half the size of the bundled images, so that nothing takes long.
-scene = load_scene("hand/crayon")
-style = passes.downsample(scene.style)
-source_guides = [passes.downsample(guide) for guide in scene.source_guides]
-target_guides = [passes.downsample(guide) for guide in scene.target_guides]
+DATA = files("data_gen") / "bundled"
+GUIDES = "FULL", "LDE", "LSE", "LDDE", "LD12E"
+
+
+def half(name):
+    """A bundled image at 150x114, so that nothing takes long."""
+    return passes.downsample(read_uint8(DATA / name))
+
+
+style = half("source/styles/crayon.png")
+source_guides = [half(f"source/{guide}.png") for guide in GUIDES]
+target_guides = [half(f"hand/{guide}.png") for guide in GUIDES]
 SEED = 1
+
+
+def slider(files):
+    """Pictures of bytes, of which a slider shows one; it works without a network."""
+    pictures = "".join(
+        f'<img alt="picture {number}" style="display: {"none" if number else "block"}" '
+        f'src="data:image/webp;base64,{b64encode(file).decode()}">'
+        for number, file in enumerate(files)
+    )
+    choose = (
+        "for (const [n, picture] of [...this.parentNode.querySelectorAll('img')].entries()) "
+        "picture.style.display = n == this.value ? 'block' : 'none'"
+    )
+    return HTML(
+        f'<div><input type="range" value="0" max="{len(files) - 1}" style="width: 30em" '
+        f'aria-label="which picture" oninput="{choose}">{pictures}</div>'
+    )
+
+
+def nnf_colours(nnf, source_size):
+    """Green to red from left to right, blue to yellow from top to bottom; all equally light."""
+    down, along = np.moveaxis(nnf / np.array(source_size), 2, 0)
+    return lab2rgb(np.stack([np.full_like(down, 70), 90 * along - 45, 90 * down - 45], axis=2))
 
 
 def show(place, image, title, **how):
@@ -189,16 +223,19 @@ painted = axes[1].imshow(replay(frames[0][0], style), interpolation="nearest")
 title = fig.suptitle("", fontsize=9)
 
 
-def draw(number):
-    nnf, mean_delta = frames[chosen[number]]
+def drawn(number):
+    nnf, mean_delta = frames[number]
     colours.set_data(nnf_colours(nnf, source_size))
     painted.set_data(replay(nnf, style))
-    title.set_text(f"{titles[chosen[number]]}: mean δ {mean_delta:.0f}")
+    title.set_text(f"{titles[number]}: mean δ {mean_delta:.0f}")
+    file = BytesIO()
+    fig.savefig(file, format="webp")
+    return file.getvalue()
 
 
-animation = FuncAnimation(fig, draw, frames=len(chosen), interval=900)
+pictures = [drawn(number) for number in chosen]
 plt.close(fig)
-display(HTML(animation.to_jshtml(default_mode="once")))
+slider(pictures)
 
 # %% [markdown]
 # Move the slider. On the left is the NNF, in colours that name the place in the source (notebook 1
@@ -290,7 +327,7 @@ print(f"{'scan-line order':20} {scanline_deltas[-1]:8.0f}")
 # one of them, while the jump flood carries it 4 + 2 + 1 pixels. But its patches wait for each
 # other, and in the end the two are level. See the fields after one iteration each:
 
-# %%
+# %% tags=["picture"]
 one = random_level()
 schedules.scanline(one, SEED, 1, 1, 1)
 

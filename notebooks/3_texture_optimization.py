@@ -13,31 +13,46 @@
 # %% [markdown]
 # # 3. Texture optimization
 #
+# ![A helmet made on one level, blurred, and on six, crisp; beside them, where votes
+# disagree](pictures/3_texture_optimization.webp)
+#
 # PatchMatch needs a picture to find patches for, and the picture is to be made of patches. Texture
 # optimization breaks the circle by taking turns: search with the picture fixed, vote with the
 # patches fixed, and begin small. This notebook follows a picture from its first vote to its last,
 # inside one level and then level by level (thesis 1.2, 2.2, 2.3 and 3.4). As in notebook 2, λ is
 # 0: the occurrence map comes in notebook 4.
 
-# %%
+# %% tags=["hide-input"]
+from importlib.resources import files
 from inspect import getsource
 from textwrap import dedent
 
 import matplotlib.pyplot as plt
 import numpy as np
 from IPython.display import Markdown, display
+from skimage.color import lab2rgb
 
-from eval.pages.figures import nnf_colours
-from eval.scenes import load_scene
-from stylit_ref import Params, passes, replay, stylize
+from stylit_ref import Params, passes, read_uint8, replay, stylize
 from stylit_ref.machine.replaced import replaced
 from stylit_ref.metric.packing import ONE
 from stylit_ref.stylization.backends import Backend
 from stylit_ref.stylization.problem import make_synthesis
 from stylit_ref.stylization.synthesis import Synthesis
 
-scene = load_scene("helmet/oil")
-images = scene.style, scene.source_guides, scene.target_guides
+DATA = files("data_gen") / "bundled"
+GUIDES = "FULL", "LDE", "LSE", "LDDE", "LD12E"
+painted = read_uint8(DATA / "source/styles/oil.png")
+source_guides, target_guides = (
+    [read_uint8(DATA / scene / f"{guide}.png") for guide in GUIDES]
+    for scene in ("source", "helmet")
+)
+images = painted, source_guides, target_guides
+
+
+def nnf_colours(nnf, source_size):
+    """Green to red from left to right, blue to yellow from top to bottom; all equally light."""
+    down, along = np.moveaxis(nnf / np.array(source_size), 2, 0)
+    return lab2rgb(np.stack([np.full_like(down, 70), 90 * along - 45, 90 * down - 45], axis=2))
 
 
 def show(place, image, title, **how):
@@ -104,7 +119,7 @@ def watch(**values):
 votes, deltas = watch(levels=1)
 
 fig, axes = plt.subplots(2, 5, figsize=(12, 3.9), layout="constrained")
-source_size = scene.style.shape[:2]
+source_size = painted.shape[:2]
 for column, number in enumerate((1, 2, 3, 4, 7)):
     nnf, image = votes[number - 1]
     show(axes[0, column], image, f"B' after vote {number}")
@@ -158,7 +173,7 @@ for place, number in zip(axes[1:], (1, 2, 7), strict=True):
     nnf, _ = votes[number - 1]
     voters = (nnf[y - 2 : y + 3, x - 2 : x + 3] - offsets).reshape(-1, 2)
     distinct = len(np.unique(voters, axis=0))
-    show(place, scene.style, f"vote {number}: from {distinct} different pixels")
+    show(place, painted, f"vote {number}: from {distinct} different pixels")
     place.plot(voters[:, 1], voters[:, 0], "o", ms=5, color="red", markeredgecolor="white")
 plt.show()
 
@@ -175,7 +190,7 @@ votes, deltas = watch(levels=6)
 levels = [votes[first : first + 7] for first in range(0, len(votes), 7)]
 
 fig, axes = plt.subplots(3, 6, figsize=(12, 5), layout="constrained")
-guide, style = scene.shown_guide, scene.style
+guide, style = target_guides[0], painted
 sources = [style.shape[:2]]
 for column in range(5, -1, -1):
     nnf, image = levels[column][-1]
@@ -227,10 +242,10 @@ plt.show()
 # $\operatorname{Var} = \overline{s^2} - \bar s^2$.
 
 
-# %%
+# %% tags=["picture"]
 def disagreement(nnf):
     """Standard deviation of the votes for each pixel, mean over the channels."""
-    style = scene.style.astype(np.float32)
+    style = painted.astype(np.float32)
     variance = replay(nnf, style**2) - replay(nnf, style) ** 2
     return np.sqrt(np.maximum(variance, 0)).mean(axis=2)
 
@@ -285,7 +300,7 @@ rng = np.random.default_rng(0)
 border = [(0, 0), (1, 1), (0, width - 1), (height - 1, 7)]
 pixels = [*border, *rng.integers(0, (height, width), (300, 2))]
 for y, x in pixels:
-    assert (voted(nnf, scene.style, y, x) == image[y, x]).all(), (y, x)
+    assert (voted(nnf, painted, y, x) == image[y, x]).all(), (y, x)
 print(f"{len(pixels)} pixels agree, some at the border")
 
 # %% [markdown]
@@ -330,7 +345,7 @@ def excess(votes, colour):
 # %%
 for y, x in rng.integers(2, (height - 2, width - 2), (100, 2)):
     places = nnf[y - 2 : y + 3, x - 2 : x + 3] - offsets
-    heard = scene.style[places[..., 0], places[..., 1]].reshape(-1, 3).astype(float)
+    heard = painted[places[..., 0], places[..., 1]].reshape(-1, 3).astype(float)
     colour = rng.integers(0, 256, 3)
     by_sums = ((heard - colour) ** 2).sum() - ((heard - heard.mean(axis=0)) ** 2).sum()
     assert np.isclose(excess(heard, colour), by_sums)

@@ -13,37 +13,70 @@
 # %% [markdown]
 # # 4. Wash-out and the occurrence map
 #
+# ![A sphere in crayon, and a dinosaur stylized with λ = 0, 10000 and 100000; below, their
+# grain](pictures/4_occurrence_map.webp)
+#
 # Texture optimization takes the closest patches, and smooth patches are close to everything. So it
 # uses few patches often and loses what makes a style rich: it washes out. The occurrence map
 # counts how often each pixel of the style is used and makes what is used too often dearer. This
 # notebook shows the wash-out and where patches come from, weighs one choice by hand, and puts λ on
 # a slider (thesis 1.2, 2.1, 2.2 and 4.3).
 
-# %%
+# %% tags=["hide-input"]
+from base64 import b64encode
+from importlib.resources import files
+from io import BytesIO
+
 import matplotlib.pyplot as plt
 import numpy as np
-from IPython.display import HTML, display
-from matplotlib.animation import FuncAnimation
+from IPython.display import HTML
 from matplotlib.colors import LogNorm
+from scipy.stats import entropy
+from skimage.filters import gaussian
 
-from eval.metrics.sharpness import detail, richness
-from eval.metrics.spilling import spilling
-from eval.metrics.usage import coverage, distinct_patches, peak_usage, usage_entropy
-from eval.scenes import load_scene
-from stylit_ref import Params, passes, stylize
+from stylit_ref import Params, passes, read_uint8, stylize
 from stylit_ref.formulae.improve_assignment import phi
 from stylit_ref.formulae.patch_penalization import omega_best
 from stylit_ref.formulae.patch_similarity import delta
 from stylit_ref.metric.packing import ONE, make_packing, occurrence_weight
 from stylit_ref.passes import box_sum, count_assignments
 
-scene = load_scene("stego/crayon")
-images = scene.style, scene.source_guides, scene.target_guides
+DATA = files("data_gen") / "bundled"
+GUIDES = "FULL", "LDE", "LSE", "LDDE", "LD12E"
+
+
+def guides_of(scene, names=GUIDES):
+    """Renderings of a bundled scene."""
+    return [read_uint8(DATA / scene / f"{name}.png") for name in names]
+
+
+style = read_uint8(DATA / "source/styles/crayon.png")
+source_guides, target_guides = guides_of("source"), guides_of("stego")
+images = style, source_guides, target_guides
+[source_ids], [target_ids] = guides_of("source", ["IDMASK"]), guides_of("stego", ["IDMASK"])
 WIDTH = 5
 RADIUS = WIDTH // 2
-source_size, target_size = scene.style.shape[:2], scene.shown_guide.shape[:2]
+SMALL = {"votes": 4, "patchmatch_iterations": 3}  # a third of the thesis' work, for each run
+source_size, target_size = style.shape[:2], target_guides[0].shape[:2]
 target_patches = target_size[0] * target_size[1]
 best = omega_best(WIDTH, source_size[0] * source_size[1], target_patches)
+
+
+def slider(files):
+    """Pictures of bytes, of which a slider shows one; it works without a network."""
+    pictures = "".join(
+        f'<img alt="picture {number}" style="display: {"none" if number else "block"}" '
+        f'src="data:image/webp;base64,{b64encode(file).decode()}">'
+        for number, file in enumerate(files)
+    )
+    choose = (
+        "for (const [n, picture] of [...this.parentNode.querySelectorAll('img')].entries()) "
+        "picture.style.display = n == this.value ? 'block' : 'none'"
+    )
+    return HTML(
+        f'<div><input type="range" value="0" max="{len(files) - 1}" style="width: 30em" '
+        f'aria-label="which picture" oninput="{choose}">{pictures}</div>'
+    )
 
 
 def show(place, image, title, **how):
@@ -59,19 +92,30 @@ def show(place, image, title, **how):
 # λ is the weight of the occurrence map. We stylize with each λ of the thesis' tables (4.2); λ = 0
 # does without the map.
 
-# %%
+
+# %% tags=["picture"]
+def detail(image):
+    """Fine detail of each pixel: its squared difference from a Gaussian blur, σ = 1."""
+    blurred = gaussian(image.astype(float), 1, channel_axis=2, preserve_range=True)
+    return ((image - blurred) ** 2).mean(axis=2)
+
+
+def richness(image, style):
+    return detail(image).mean() / detail(style).mean()
+
+
 runs = {
-    uniformity: stylize(*images, Params(uniformity=uniformity))
+    uniformity: stylize(*images, Params(uniformity=uniformity, **SMALL))
     for uniformity in (0, 5000, 10000, 15000, 50000, 100000)
 }
 
 on_sphere, on_body = np.s_[90:150, 105:195], np.s_[95:155, 85:175]
-pictures = {"the style": (scene.style, on_sphere)} | {
+pictures = {"the style": (style, on_sphere)} | {
     f"λ = {uniformity}": (runs[uniformity].image, on_body) for uniformity in (0, 10000, 100000)
 }
 fig, axes = plt.subplots(2, 4, figsize=(12, 4.6), layout="constrained")
 for column, (title, (image, part)) in enumerate(pictures.items()):
-    show(axes[0, column], image, f"{title}: richness {richness(image, scene.style):.2f}")
+    show(axes[0, column], image, f"{title}: richness {richness(image, style):.2f}")
     show(axes[1, column], image[part], "in part", interpolation="nearest")
 plt.show()
 
@@ -101,8 +145,18 @@ def usage(omega):
     return np.ma.masked_equal(omega, 0) / best
 
 
+def coverage(omega):
+    """Share of the style's pixels that an assigned patch covers."""
+    return (omega > 0).mean()
+
+
+def distinct_patches(nnf):
+    """Number of different source patches over the number of target patches."""
+    return len(np.unique(nnf.reshape(-1, 2), axis=0)) / nnf[:, :, 0].size
+
+
 fig, axes = plt.subplots(1, 3, figsize=(12, 3), layout="constrained")
-show(axes[0], scene.style, "the style")
+show(axes[0], style, "the style")
 for place, uniformity in zip(axes[1:], (0, 10000), strict=True):
     seen = show(place, usage(runs[uniformity].omega), f"λ = {uniformity}", cmap=heat, norm=scale)
 fig.colorbar(seen, ax=axes, label="Ω / ω_best", shrink=0.9)
@@ -114,10 +168,10 @@ for uniformity in (0, 10000):
     run = runs[uniformity]
     print(
         f"{uniformity:6}{coverage(run.omega):16.1%}{distinct_patches(run.nnf):19.1%}"
-        f"{peak_usage(run.omega, target_patches, WIDTH):22.1f}"
+        f"{run.omega.max() / best:22.1f}"
     )
 
-used, detailed = runs[0].omega / best, detail(scene.style)
+used, detailed = runs[0].omega / best, detail(style)
 print("\nΩ/ω_best at λ = 0   share of the style   fine detail there")
 for low, high in ((0, 0), (0, 1), (1, 2), (2, 4), (4, used.max())):
     there = (used > low) & (used <= high) if high else used == 0
@@ -144,8 +198,8 @@ for low, high in ((0, 0), (0, 1), (1, 2), (2, 4), (4, used.max())):
 # %%
 packing = make_packing([3] * 5, 3, Params().guide_influence, [1.0] * 5)
 washed = runs[0]
-source = packing.pack(scene.source_guides, scene.style)
-target = passes.repeat_edge(packing.pack(scene.target_guides, washed.image), RADIUS)
+source = packing.pack(source_guides, style)
+target = passes.repeat_edge(packing.pack(target_guides, washed.image), RADIUS)
 omega_sums = box_sum(washed.omega, WIDTH)  # Ω summed over each patch
 
 y, x = 120, 100  # on the body
@@ -182,7 +236,7 @@ for n, (uniformity, index) in enumerate(chosen.items()):
 axes[0].set(xlim=(-0.1, 6), ylim=(0, 20000), xlabel="ρ(Q)", ylabel="δ(P, Q)")
 axes[0].set_title("every source patch Q, and the choice of each λ", fontsize=9)
 axes[0].legend(fontsize=8)
-show(axes[1], scene.style, "where they are in the style")
+show(axes[1], style, "where they are in the style")
 plt.show()
 
 # %% [markdown]
@@ -204,16 +258,18 @@ heated = show(axes[1], usage(runs[0].omega), "Ω / ω_best", cmap=heat, norm=sca
 fig.colorbar(heated, ax=axes[1], shrink=0.8)
 
 
-def draw(number):
-    uniformity, run = list(runs.items())[number]
+def drawn(uniformity, run):
     painted.set_data(run.image)
     heated.set_data(usage(run.omega))
     axes[0].set_title(f"λ = {uniformity}", fontsize=9)
+    file = BytesIO()
+    fig.savefig(file, format="webp")
+    return file.getvalue()
 
 
-animation = FuncAnimation(fig, draw, frames=len(runs), interval=1200)
+pictures = [drawn(uniformity, run) for uniformity, run in runs.items()]
 plt.close(fig)
-display(HTML(animation.to_jshtml(default_mode="once")))
+slider(pictures)
 
 # %% [markdown]
 # ## What λ buys, and what it costs
@@ -222,14 +278,20 @@ display(HTML(animation.to_jshtml(default_mode="once")))
 # and how rich the output is; and what that costs: δ, which grows as worse matches are taken, and
 # the share of the target that is *spilled*, painted with the paint of another object.
 
+
 # %%
+def spilling(nnf):
+    """Target patches whose source patch is centred on another object than they are."""
+    return (source_ids[nnf[:, :, 0], nnf[:, :, 1]] != target_ids).any(axis=2)
+
+
 table = {
     "style covered": [coverage(run.omega) for run in runs.values()],
     "distinct patches": [distinct_patches(run.nnf) for run in runs.values()],
-    "entropy of Ω": [usage_entropy(run.omega) for run in runs.values()],
-    "richness": [richness(run.image, scene.style) for run in runs.values()],
+    "entropy of Ω": [entropy(run.omega.ravel()) / np.log(run.omega.size) for run in runs.values()],
+    "richness": [richness(run.image, style) for run in runs.values()],
     "mean δ": [run.history[-1].delta for run in runs.values()],
-    "spilled": [spilling(run.nnf, scene.ids).mean() for run in runs.values()],
+    "spilled": [spilling(run.nnf).mean() for run in runs.values()],
 }
 print(f"{'λ':18}" + "".join(f"{uniformity:>9}" for uniformity in runs))
 for name, values in table.items():
@@ -255,7 +317,6 @@ plt.show()
 # *dinosaur* takes, by counting its assignments alone.
 
 # %%
-source_ids, target_ids = scene.ids
 colour = target_ids[y, x]  # of the object that the patch above lies on
 on_target = (target_ids == colour).all(axis=2)
 on_source = (source_ids == colour).all(axis=2)

@@ -13,6 +13,9 @@
 # %% [markdown]
 # # 5. Guide maps: when means stand in for pixels
 #
+# ![A golem stylized with guide maps of ε = 0, 100 and 50000; below, the
+# maps](pictures/5_guide_maps.webp)
+#
 # Comparing two patches of $5 \times 5$ pixels with eighteen channels reads 450 bytes of each, and
 # a search does it millions of times. Guides are smooth renderings, so the thesis (section 5.2)
 # compares most of them by one number a channel: their mean over the patch. A *guide map* says
@@ -23,7 +26,7 @@
 # candidates and changes not a byte of the result (thesis 3.2 ends its own comparison early in the
 # same spirit).
 
-# %%
+# %% tags=["hide-input"]
 from importlib.resources import files
 
 import matplotlib.pyplot as plt
@@ -198,7 +201,7 @@ for label, which in (("white", white), ("black", ~white)):
 # of the printout is another seed of `ref`: two results that are equally good and differ by chance
 # alone.
 
-# %%
+# %% tags=["picture"]
 SMALL = {"levels": 5, "votes": 4, "patchmatch_iterations": 3}
 
 

@@ -13,6 +13,9 @@
 # %% [markdown]
 # # 6. From Python to CUDA
 #
+# ![A golem without λ, one pixel after another, with Ω frozen, and by propose and
+# commit](pictures/6_from_python_to_cuda.webp)
+#
 # On a GPU every target patch gets a thread of its own. The mathematics of a patch stays the same,
 # and so does the code: this notebook runs the same formulae in a loop of the CPU and in CUDA
 # kernels (thesis 3.2 to 3.4), and compares bytes.
@@ -26,7 +29,7 @@
 # thread of a block. It has to be chosen before Numba is imported, and it is slow, so the images
 # are tiny.
 
-# %%
+# %% tags=["hide-input"]
 # ruff: noqa: E402
 import os
 import subprocess
@@ -36,7 +39,6 @@ ASK = "from gpu_cuda.host import doctor; raise SystemExit(doctor.missing())"
 if subprocess.run([sys.executable, "-c", ASK], capture_output=True).returncode:
     os.environ["NUMBA_ENABLE_CUDASIM"] = "1"
 
-# %%
 import inspect
 from importlib.resources import files
 from unittest.mock import patch
@@ -44,9 +46,9 @@ from unittest.mock import patch
 import matplotlib.pyplot as plt
 import numba
 import numpy as np
+from skimage.filters import gaussian
 
 import gpu_cuda
-from eval.metrics.sharpness import sharpness
 from gpu_cuda.host import device, doctor
 from gpu_cuda.variants import live
 from stylit_ref import Params, passes, read_uint8, stylize
@@ -99,7 +101,7 @@ print(inspect.getsource(cpu_module.random_nnf))
 print(inspect.getsource(inspect.getmodule(gpu_cuda.random_nnf)))
 
 # %%
-HEIGHT, WIDTH = 20, 24
+HEIGHT, WIDTH = 16, 20
 style = reduced("source/styles/oil.png", 3)
 source_guides = [reduced(f"source/{guide}.png", 3) for guide in GUIDES]
 window = np.s_[3 : 3 + HEIGHT, 6 : 6 + WIDTH]
@@ -324,7 +326,19 @@ np.testing.assert_array_equal(
     results["frozen", 0].image, results["propose_commit", 0].image, "without λ nothing can freeze"
 )
 
-# %%
+
+# %% tags=["picture"]
+def detail(image):
+    """Fine detail of each pixel: its squared difference from a Gaussian blur, σ = 1."""
+    blurred = gaussian(image.astype(float), 1, channel_axis=2, preserve_range=True)
+    return ((image - blurred) ** 2).mean(axis=2)
+
+
+def sharpness(image, style, nnf):
+    """Fine detail of an image over that of the style where it was taken from."""
+    return detail(image).sum() / detail(style)[nnf[:, :, 0], nnf[:, :, 1]].sum()
+
+
 shown = {
     "λ = 0: Ω does not count": results["frozen", 0],
     "one after another, Ω live": results["scanline", 15000],

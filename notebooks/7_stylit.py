@@ -13,6 +13,9 @@
 # %% [markdown]
 # # 7. StyLit: the style looks for its place
 #
+# ![A teapot by λ = 0, by λ = 10000 and by StyLit; below, how often the style was
+# used](pictures/7_stylit.webp)
+#
 # Everything so far searched from target to source: each target patch takes the source patch it
 # likes best, and an occurrence map keeps them from liking the same ones. StyLit (Fišer et al.
 # 2016; thesis 1.5) turns the question round. Each patch of the *style* looks for its place in the
@@ -24,15 +27,15 @@
 # The formulas are told in Hauptfleisch 2020, sections 2.3 and 2.4; `docs/methods.md` lists what
 # they leave open and what this library does there.
 
-# %%
+# %% tags=["hide-input"]
 from importlib.resources import files
 
 import matplotlib.pyplot as plt
 import numpy as np
+from skimage.filters import gaussian
 
-from eval.metrics.sharpness import richness
-from eval.metrics.usage import coverage, distinct_patches, peak_usage
 from stylit_ref import Params, passes, read_uint8, stylize
+from stylit_ref.formulae.patch_penalization import omega_best
 from stylit_ref.metric.packing import ONE
 from stylit_ref.passes.claims import FIXED
 from stylit_ref.randomness.random_stream import RETRIEVAL_NNF, RETRIEVAL_SEARCH, random_stream
@@ -244,7 +247,28 @@ plt.show()
 #
 # Whole runs now, from coarse to fine.
 
-# %%
+
+# %% tags=["picture"]
+def detail(image):
+    """Fine detail of each pixel: its squared difference from a Gaussian blur, σ = 1."""
+    blurred = gaussian(image.astype(float), 1, channel_axis=2, preserve_range=True)
+    return ((image - blurred) ** 2).mean(axis=2)
+
+
+def richness(image, style):
+    return detail(image).mean() / detail(style).mean()
+
+
+def coverage(omega):
+    """Share of the style's pixels that an assigned patch covers."""
+    return (omega > 0).mean()
+
+
+def distinct_patches(nnf):
+    """Number of different source patches over the number of target patches."""
+    return len(np.unique(nnf.reshape(-1, 2), axis=0)) / nnf[:, :, 0].size
+
+
 results = {
     "λ = 0": washed_out,
     "ref, λ = 10000": run(),
@@ -260,19 +284,19 @@ fig.colorbar(omega, ax=axes[1, :], extend="max")
 for ax in axes.flat:
     ax.axis("off")
 
+best = omega_best(5, style[:, :, 0].size, height * width)
 print(f"{'':16}     δ  distinct  coverage  peak Ω / ω_best  richness")
 for name, result in results.items():
     print(
         f"{name:16} {result.history[-1].delta:5.0f}  {distinct_patches(result.nnf):8.1%}"
-        f"  {coverage(result.omega):8.1%}  {peak_usage(result.omega, height * width, 5):15.1f}"
+        f"  {coverage(result.omega):8.1%}  {result.omega.max() / best:15.1f}"
         f"  {richness(result.image, style):8.3f}"
     )
 
 # %% [markdown]
 # *Distinct* counts the different source patches among those assigned, *coverage* the style's
 # pixels that are used at all, *peak* how often the most used one is beside an even use, and
-# *richness* compares the energy of the fine detail with the style's (`eval/metrics/usage.py`,
-# `eval/metrics/sharpness.py`).
+# *richness* compares the energy of the fine detail with the style's.
 #
 # Compare the bottom row first. At $\lambda = 0$ whole regions of the style are black: unused. The
 # occurrence map spreads the use evenly, as far as $\lambda$ asks for it. StyLit fills most of the

@@ -13,13 +13,15 @@
 # %% [markdown]
 # # 8. Textures from patches
 #
+# ![Bricks, a texture of them, and a cheaper one that has lost the mortar](pictures/8_textures.webp)
+#
 # The other notebooks copy small patches and average them. Lasram & Lefebvre (2012) copy large ones
 # and average nothing: each is cut out along a line where it fits, and laid over what is there.
 # This notebook follows one patch from its place to its cut, aligns its features, then watches the
 # energy of a whole texture fall, and ends with a picture whose energy is low and which is no good.
 # It covers sections 3 to 6 and 8 of the paper.
 
-# %%
+# %% tags=["hide-input"]
 import matplotlib.pyplot as plt
 import numpy as np
 from scipy.stats import wasserstein_distance
@@ -258,7 +260,7 @@ plt.show()
 # Now we have an energy that can only fall. Shall we let it fall for as long as it likes? Small
 # patches and many iterations find the cheapest texture. On the right it costs least by far.
 
-# %%
+# %% tags=["picture"]
 settings = {
     "24 iterations, R = 64": TextureParams(radius=64, radius_step=0, candidates=64),
     "150 iterations, R = 16": TextureParams(radius=16, iterations=150, candidates=1),

@@ -13,12 +13,14 @@
 # %% [markdown]
 # # 9. Real time: fewer patches, fewer bytes
 #
+# ![A golem in oil after 1, 3, 5 and 6 levels, from coarse to fine](pictures/9_real_time.webp)
+#
 # The other notebooks search a match for every pixel and take seconds. Heidrich (2017) asks what
 # can be left out so that a picture follows the hand. This notebook leaves out patches, then
 # bytes, then work on fine levels, and at last starts where the frame before it ended. It covers
 # sections 3.4, 4.2 and 5.2 of that thesis, and redraws its Figures 14, 15 and 17 from our scenes.
 
-# %%
+# %% tags=["hide-input"]
 from pathlib import Path
 from time import process_time
 
@@ -130,7 +132,7 @@ plt.show()
 # by letting the finer levels do no iteration: they only pass matches on.
 
 
-# %%
+# %% tags=["picture"]
 def session_of(params, style=oil, seed=1):
     session = RealtimeSession(params, seed=seed, threads=1)
     session.set_exemplar(features, style, labels)
