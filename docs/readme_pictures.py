@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+from PIL import Image
 from skimage.io import imsave
 
 from eval.pages.figures import contact_sheet
@@ -33,6 +34,13 @@ def save_small(image, name):
     imsave(PICTURES / f"{name}.webp", image[35:215, 40:290], check_contrast=False)
 
 
+def save_part(page_picture, box):
+    """Save a part of a page's picture, as small."""
+    part = Image.open(PICTURES / f"{page_picture}.webp").convert("RGB").crop(box)
+    part.thumbnail((250, 180))
+    part.save(PICTURES / f"{page_picture}_small.webp")
+
+
 rendered = [(name, read_uint8(BUNDLED / name / "FULL.png")) for name in ("source", *TARGETS)]
 painted = [
     [(style, painting(style)), *(("", stylized(target, style).image) for target in TARGETS)]
@@ -43,3 +51,5 @@ save_small(stylized("teapot", "oil").image, "occurrence_map")
 guide_map = stylized("teapot", "oil", method="guide_map").guide_maps[-1]
 save_small(guide_map.astype("uint8") * 255, "guide_map")
 save_small(stylized("teapot", "crayon", method="stylit").image, "stylit")
+save_part("sequence", (0, 150, 520, 300))
+save_part("studio", (46, 123, 692, 436))
