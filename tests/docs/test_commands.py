@@ -194,10 +194,10 @@ def video_of_ezsynth(scratch):
 def images_of_texture_synthesis(scratch):
     """An exemplar, and one with a hole that is black in its mask."""
     (scratch / "imgs").mkdir()
-    pebbles = make_texture("pebbles", 96)
+    pebbles = make_texture("pebbles", 128)
     for number in (1, 3):
         imsave(scratch / f"imgs/{number}.jpg", pebbles, check_contrast=False)
-    hole = np.full((96, 96), 255, np.uint8)
+    hole = np.full((128, 128), 255, np.uint8)
     hole[30:60, 40:70] = 0
     imsave(scratch / "imgs/3_inpaint.png", hole, check_contrast=False)
 
