@@ -51,5 +51,4 @@ save_small(stylized("teapot", "oil").image, "occurrence_map")
 guide_map = stylized("teapot", "oil", method="guide_map").guide_maps[-1]
 save_small(guide_map.astype("uint8") * 255, "guide_map")
 save_small(stylized("teapot", "crayon", method="stylit").image, "stylit")
-save_part("sequence", (0, 150, 520, 300))
 save_part("studio", (46, 123, 692, 436))
