@@ -34,6 +34,9 @@ SHEETS = {
             "still.png",
         ),
         "field": ("still.png", "still.npy"),
+        "passes": tuple(
+            f"scenes/helmet/{name}.png" for name in ("FULL", "LDE", "LSE", "LDDE", "IDMASK")
+        ),
     },
     "how_to/textures": {
         "../how_to/textures/texture": ("flowers.png", "texture.png"),
