@@ -20,12 +20,13 @@ def shown():
     rows = []
     with TemporaryDirectory() as folder:
         for motion in ((), MOTION):
-            main([
+            code = main([
                 "sequence", "--preset", "fast", "--style", f"{SCENES}/source/styles/pen.png",
                 "--guide", f"{SCENES}/source", f"{SCENES}/turning/%02d",
                 "--guide-layers", "FULL,LDE,LSE,LDDE,IDMASK", *motion,
                 "--frames", f"0-{SHOWN[-1]}", "--output", f"{folder}/%02d.png",
             ])  # fmt: skip
+            assert code == 0, "there are no such frames, or no motion"
             frames = [imread(f"{folder}/{frame:02d}.png") for frame in SHOWN]
             rows.append(np.hstack([frame[180:330, 130:390] for frame in frames]))
     return np.vstack(rows)

@@ -30,11 +30,13 @@ from small_run import write_run
 from data_gen.guides import LIGHT_PASSES
 from data_gen.multilayer_exr import write_layers
 from data_gen.renderer import MissingRendererError, start
+from data_gen.textures import make_texture
 from oracle.families import STYLIZATION
 from stylit_ref import Params, read_uint8
 from stylit_ref.cli import main
 from stylit_ref.cli.parser import EBSYNTH
 from stylit_ref.files.colour.bit_depth import to_linear
+from stylit_ref.files.motion_flo import write_flo
 from stylit_ref.metric.packing import ONE, make_packing
 
 ROOT = Path(__file__).parents[2]
@@ -47,6 +49,7 @@ RUN, DRY_RUN, RENDERS = "", "dry-run", "renders"
 NOT_RUN = (
     "not-run: installs packages",
     "not-run: needs a GPU",
+    "not-run: needs Blender",
     "not-run: needs ffmpeg",
     "not-run: writes the cases anew",
     "not-run: serves until it is interrupted",
@@ -157,10 +160,46 @@ def shot_of_blender(scratch):
         write_exr(file, channels, ids.shape, depth="float")
 
 
+def renders_of_script(scratch):
+    """What ``render_passes.py`` writes: the shot and the sphere, in one folder."""
+    passes_of_blender(scratch)
+    shot_of_blender(scratch)
+    (scratch / "renders").mkdir()
+    (scratch / "sphere.exr").rename(scratch / "renders" / "sphere.0001.exr")
+    for frame in (scratch / "shot").iterdir():
+        frame.rename(scratch / "renders" / frame.name.replace("scene", "shot"))
+
+
 def grid_of_house(scratch):
     """The manifest that the page shows."""
     page = (ROOT / "docs/how_to/sequences.md").read_text(encoding="utf-8")
     (scratch / "grid.json").write_text(re.search(r"```json\n(.*?)```", page, re.DOTALL)[1])
+
+
+def video_of_ezsynth(scratch):
+    """Frames of a camera that pans, their flow, and two of them painted over."""
+    for folder in ("video", "flow", "painted"):
+        (scratch / folder).mkdir()
+    still, painting = small("golem/FULL.png"), small("source/styles/oil.png")
+    for frame in (1, 2, 3):
+        moved = np.roll(still, 2 * frame, axis=1)
+        imsave(scratch / f"video/{frame:04d}.png", moved, check_contrast=False)
+        flow = np.full((*still.shape[:2], 2), (2, 0), np.float32)
+        write_flo(scratch / f"flow/{frame:04d}.flo", flow)
+    for frame in (1, 3):
+        moved = np.roll(painting, 2 * frame, axis=1)
+        imsave(scratch / f"painted/{frame:04d}.png", moved, check_contrast=False)
+
+
+def images_of_texture_synthesis(scratch):
+    """An exemplar, and one with a hole that is black in its mask."""
+    (scratch / "imgs").mkdir()
+    pebbles = make_texture("pebbles", 128)
+    for number in (1, 3):
+        imsave(scratch / f"imgs/{number}.jpg", pebbles, check_contrast=False)
+    hole = np.full((128, 128), 255, np.uint8)
+    hole[30:60, 40:70] = 0
+    imsave(scratch / "imgs/3_inpaint.png", hole, check_contrast=False)
 
 
 def rule_of_guides(scratch):
@@ -210,11 +249,14 @@ def run_of_a_box(scratch):
 
 
 PREPARED = {
+    "docs/how_to/blender.md": (renders_of_script,),
     "README.md": (own_images,),
     "docs/how_to/renderer_passes.md": (passes_of_blender, rendered_passes),
     "docs/how_to/sequences.md": (passes_of_blender, shot_of_blender, grid_of_house),
     "docs/how_to/render_farm.md": (passes_of_blender, shot_of_blender, rule_of_guides),
     "docs/how_to/from_ebsynth.md": (images_of_ebsynth,),
+    "docs/how_to/from_ezsynth.md": (video_of_ezsynth,),
+    "docs/how_to/from_texture_synthesis.md": (images_of_texture_synthesis,),
     "docs/how_to/views_between.md": (run_of_a_box,),
     "docs/how_to/viewer.md": (run_of_a_box,),
 }
