@@ -1,14 +1,13 @@
 """Sketches of buildings (2.4.1): the preset ``architecture``, and what each of its choices does."""
 
-import time
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
 import pandas as pd
 
 from data_gen.manifest import DataError, Manifest
-from eval.methods.stylit_ref import StylitRef, compile_kernels
+from eval.methods.stylit_ref import StylitRef
 from eval.metrics import NUMBERS, definitions
 from eval.pages.claims import Claim, majority, verdict
 from eval.pages.figures import comparison, detailed_window
@@ -44,18 +43,6 @@ THESIS_CPU = 312.0
 """Seconds of one frame of 600x500 on one core of the thesis' processor (4.1.2)."""
 
 GOAL_CPU = 150.0
-
-
-@dataclass(frozen=True)
-class Timed(StylitRef):
-    """A run whose ``stages`` are ``cpu``, seconds of the processor in all threads together."""
-
-    def run(self, scene, seed, progress=None):
-        """As :meth:`eval.methods.stylit_ref.StylitRef.run`."""
-        compile_kernels(scene, self.params)
-        before = time.process_time()
-        outcome = super().run(scene, seed, progress)
-        return replace(outcome, stages={"cpu": time.process_time() - before})
 
 
 @cache
@@ -104,7 +91,7 @@ def architecture_scene(data, style, guides=GUIDES):
 def job(data, style, name):
     """The run of one of :data:`RUNS`."""
     guides, params = RUNS[name]
-    return Job(architecture_scene(data, style, guides), Timed(params))
+    return Job(architecture_scene(data, style, guides), StylitRef(params))
 
 
 def tasks(data, styles):

@@ -7,9 +7,10 @@ import pandas as pd
 
 from data_gen.camera import GRID, HOUSE_SOURCE
 from data_gen.manifest import DataError, Manifest
-from eval.documents.hauptfleisch.architecture import SOURCE, Timed
+from eval.documents.hauptfleisch.architecture import SOURCE
 from eval.documents.hauptfleisch.goals import LEAST_GRADIENT
 from eval.documents.hauptfleisch.turned_copies import Turned, projected_direction
+from eval.methods.stylit_ref import StylitRef
 from eval.metrics import NUMBERS, definitions
 from eval.metrics.guide_fidelity import guide_error
 from eval.metrics.off_surface import DIRECTION, FACE
@@ -60,10 +61,10 @@ def runs(params):
 
     Returns
     -------
-    dict of str to Timed
+    dict of str to StylitRef
     """
     return {
-        ALONE: Timed(params),
+        ALONE: StylitRef(params),
         TOLD: Turned(params, weight=_WEIGHT),
         "copies, not told": Turned(params, angles=ANGLES, weight=0.0),
         TURNED: Turned(params, angles=ANGLES, weight=_WEIGHT),
