@@ -18,6 +18,8 @@ MOST_BYTES = 250_000
 MOST_PIXELS = 2000
 """Width of a committed figure."""
 
+_FIGURE = r"!\[[^\]]*\]\(([^)]*)\)"
+
 
 def add_options(parser):
     """Declare what the command may be told."""
@@ -88,19 +90,18 @@ def only_figures(text, files):
     Parameters
     ----------
     text : str
-        Markdown; a figure is a paragraph of its own.
+        Markdown; a figure, or a pair of them, is a paragraph of its own.
     files : sequence of str
 
     Returns
     -------
     str
     """
-    paragraphs = text.split("\n\n")
-    shown = (re.fullmatch(r"!\[[^\]]*\]\(([^)]*)\)", paragraph) for paragraph in paragraphs)
     return "\n\n".join(
         paragraph
-        for paragraph, figure in zip(paragraphs, shown, strict=True)
-        if not figure or figure[1] in files
+        for paragraph in text.split("\n\n")
+        if not re.fullmatch(rf"{_FIGURE}( {_FIGURE})?", paragraph)
+        or set(re.findall(_FIGURE, paragraph)) <= set(files)
     )
 
 

@@ -9,7 +9,7 @@ import pandas as pd
 from data_gen.manifest import DataError, Manifest
 from eval.methods.stylit_ref import StylitRef
 from eval.metrics import NUMBERS, definitions
-from eval.pages.claims import Claim, majority, verdict
+from eval.pages.claims import Claim, by_case, majority, verdict
 from eval.pages.figures import comparison, detailed_window
 from eval.read_frames import GUIDES
 from eval.runs.complete import Task
@@ -172,9 +172,12 @@ def _claim(numbers, claim, other, number, least=True):
         "2.4.1",
         majority([(ours < theirs) == least for ours, theirs in pairs.values()]),
         f"{NUMBERS[number].title} {'falls' if least else 'rises'} with it in most sketches",
-        "; ".join(
-            f"{style}: {form.format(ours)} with it, {form.format(theirs)} without"
-            for style, (ours, theirs) in pairs.items()
+        "with it and without it is "
+        + by_case(
+            {
+                style: f"{form.format(ours)} and {form.format(theirs)}"
+                for style, (ours, theirs) in pairs.items()
+            }
         ),
     )
 
@@ -199,7 +202,7 @@ def claim_of_time(data, style):
         verdict(cpu <= GOAL_CPU),
         f"ours takes at most {GOAL_CPU:.0f} seconds of the processor, six search-vote and six "
         "PatchMatch iterations a level",
-        f"{cpu:.0f} seconds",
+        f"ours takes {cpu:.0f} seconds",
         of_time=True,
     )
 
