@@ -1,6 +1,13 @@
 """The claims of the thesis, and what ours must reach, tested on our numbers."""
 
-from eval.documents.hauptfleisch import architecture, long_shot, turned
+from eval.documents.hauptfleisch import (
+    angles,
+    architecture,
+    between,
+    failures,
+    long_shot,
+    turned,
+)
 from eval.documents.hauptfleisch.claims_of_goals import (
     TITLES,
     WITHOUT_DATA,
@@ -39,6 +46,9 @@ def claims(plan):
         *(_printed_form(plan, method) for method in ("ref", "stylit")),
         *claims_of_goals(plan),
         *long_shot.claims(plan.long_shot),
+        *between.claims(plan.between),
+        *angles.claims(plan.data, plan.of_angles),
+        *failures.claims(bool(sketches)),
         *([turned.claim(turned.table(plan.data, plan.preset.methods["ref"]))] if sketches else []),
     ]
 

@@ -4,7 +4,15 @@ from functools import partial
 
 import numpy as np
 
-from eval.documents.hauptfleisch import architecture, pictures, tables, turned
+from eval.documents.hauptfleisch import (
+    angles,
+    architecture,
+    between,
+    failures,
+    pictures,
+    tables,
+    turned,
+)
 from eval.documents.hauptfleisch.claims import claims
 from eval.documents.hauptfleisch.claims_of_goals import TITLES
 from eval.documents.hauptfleisch.plan import METRICS
@@ -48,6 +56,9 @@ def _sections(plan, missing, report):
         *_styles(plan, report),
         *(architecture.section(plan.data, plan.sketches, report) if plan.sketches else ()),
         *_turned(plan, report),
+        *([] if plan.between is None else between.section(plan.between, report)),
+        *(angles.section(plan.data, plan.of_angles, report) if plan.of_angles else ()),
+        *(failures.section(plan.data, report) if plan.sketches else ()),
         *_costs(plan, report),
         *_long_shot(plan, report),
         "## What the numbers are",
