@@ -46,7 +46,7 @@ def majority(votes):
 
 
 def by_case(figures):
-    """Figures of several cases as a clause: ``3 on bricks, 4 on canes and on glyphs``.
+    """Figures of several cases as a clause: ``3 for bricks, and 4 for canes and glyphs``.
 
     Parameters
     ----------
@@ -60,24 +60,23 @@ def by_case(figures):
     cases = {}
     for case, figure in figures.items():
         cases.setdefault(figure, []).append(case)
-    return listed([f"{figure} for {listed(names)}" for figure, names in cases.items()], "; ")
+    *others, last = (f"{figure} for {listed(names)}" for figure, names in cases.items())
+    return f"{'; '.join(others)}, and {last}" if others else last
 
 
-def listed(names, comma=", "):
+def listed(names):
     """Several things as a sentence lists them.
 
     Parameters
     ----------
     names : sequence of str
-    comma : str
-        What stands between all but the last two.
 
     Returns
     -------
     str
     """
     *others, last = names
-    return f"{comma.join(others)} and {last}" if others else last
+    return f"{', '.join(others)} and {last}" if others else last
 
 
 def verdict_section(claims):

@@ -219,15 +219,17 @@ def _claim(numbers, claim, other, number, least=True):
     return Claim(
         claim,
         "2.4.1",
-        majority([(ours < theirs) == least for ours, theirs in pairs.values()]),
+        majority([(ours < theirs) == least for ours, theirs in pairs.values()]) if pairs else OPEN,
         f"{NUMBERS[number].title} {'falls' if least else 'rises'} with it in most sketches",
-        "with it and without it is "
+        "with it and without it, it is "
         + by_case(
             {
                 style: f"{form.format(ours)} and {form.format(theirs)}"
                 for style, (ours, theirs) in pairs.items()
             }
-        ),
+        )
+        if pairs
+        else "no sketch shows it",
     )
 
 
@@ -275,10 +277,10 @@ def section(data, styles, report):
         "## Sketches of buildings",
         f"`--preset architecture` (2.4.1, 4.1.2): StyLit with six guides ({', '.join(GUIDES)}), a "
         f"budget of {_PRESET.budget} of all errors, α = {_PRESET.error_limit:g}, t = "
-        f"{_PRESET.vote_outliers}; StyLit as it was published, with four; runs that each switch one "
-        "choice off; and one with a seventh guide that tells parts apart, for paint that spills "
-        "where two of them are lit alike. "
-        f"{scene.size}, seed 0, the house seen 20 degrees from where it was drawn.",
+        f"{_PRESET.vote_outliers}; StyLit as it was published, with four; runs that each "
+        "switch one choice off; and one with a seventh guide that tells parts apart, for paint "
+        f"that spills where two of them are lit alike. {scene.size}, seed 0, the house seen 20 "
+        "degrees from where it was drawn.",
         report.table("architecture", numbers, shown_table(numbers)),
         *(
             report.figure(

@@ -56,7 +56,8 @@ def _all_met(required):
         "1.1, 6",
         verdict(not any(missed.values())),
         "both methods pass all four thresholds, of which only the first is printed",
-        listed([f"{method} misses {', '.join(m) or 'none'}" for method, m in missed.items()], "; "),
+        "missed are "
+        + by_case({method: listed(m) if m else "none" for method, m in missed.items()}),
     )
 
 

@@ -227,7 +227,6 @@ def _full_alone(plan):
         "they are "
         + listed(
             [f"{a:.1%} with {m}, and {b:.1%} with all buffers" for m, (a, b) in shares.items()],
-            "; ",
         ),
     )
 
@@ -325,6 +324,5 @@ def _hatching(plan):
                 f"{pen:.2f} times StyLit's in pen and {other:.2f} times elsewhere with {method}"
                 for method, pen, other in zip(THESIS, ratios["pen"], others, strict=True)
             ],
-            "; ",
         ),
     )
