@@ -65,7 +65,7 @@ def _preface(plan):
 
 
 def _pictures(plan, report):
-    exemplar = "bricks"
+    exemplar = plan.exemplars[0]
     shown = {
         name: stored(job).image
         for name, job in (
