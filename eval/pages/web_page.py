@@ -11,6 +11,8 @@ from pathlib import Path
 
 from markdown_it import MarkdownIt
 
+from eval.pages.claims import VERDICTS
+
 FEWEST_LISTED = 4
 """A page of fewer headings has no contents list."""
 
@@ -65,7 +67,7 @@ def web_page(title, text, folder):
         (rf"<p>{_IMAGE}\s{_IMAGE}</p>", _compared),
         (rf"<p>{_IMAGE}</p>", _enlarged),
         (r"<table>.*?</table>", _scrolled),
-        (r"<td>(held|not held)</td>", _coloured),
+        (rf"<td>({'|'.join(VERDICTS)})</td>", _marked),
     ):
         body = re.sub(pattern, change, body, flags=re.DOTALL)
     return _PAGE.format(
@@ -139,7 +141,8 @@ def _scrolled(match):
     return f'<div class="{kind}" tabindex="0">{table}</div>'
 
 
-def _coloured(match):
+def _marked(match):
+    """A verdict: its class is its words."""
     return f'<td class="{match[1].replace(" ", "-")}">{match[1]}</td>'
 
 

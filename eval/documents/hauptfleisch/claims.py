@@ -44,12 +44,12 @@ def claims(plan):
         _all_at_once(plan),
         _one_after_the_other(plan),
         *(_printed_form(plan, method) for method in ("ref", "stylit")),
-        *claims_of_goals(plan),
-        *long_shot.claims(plan.long_shot),
         *between.claims(plan.between),
         *angles.claims(plan.data, plan.of_angles),
         *failures.claims(bool(sketches)),
         *([turned.claim(turned.table(plan.data, plan.preset.methods["ref"]))] if sketches else []),
+        *claims_of_goals(plan),
+        *long_shot.claims(plan.long_shot),
     ]
 
 

@@ -14,7 +14,7 @@ from eval.methods.stylit_ref import StylitRef
 from eval.metrics import NUMBERS, definitions
 from eval.metrics.guide_fidelity import guide_error
 from eval.metrics.off_surface import DIRECTION, FACE
-from eval.pages.claims import HELD, Claim, verdict
+from eval.pages.claims import HELD, Claim, listed, verdict
 from eval.pages.figures import comparison
 from eval.read_frames import GUIDES
 from eval.runs.complete import Task
@@ -197,8 +197,8 @@ def claim(numbers):
         and ours["sharpness"] >= LEAST_SHARP * mean.loc[[ALONE, TOLD], "sharpness"].max()
     )
     told = [
-        f"{NUMBERS[name].title} "
-        + ", ".join(NUMBERS[name].form.format(mean.loc[run, name]) for run in (ALONE, TOLD, TURNED))
+        f"{NUMBERS[name].title} of "
+        + listed([NUMBERS[name].form.format(mean.loc[run, name]) for run in (ALONE, TOLD, TURNED)])
         for name in ("off_surface", "crooked", "lost_lines", "guide_error", "sharpness")
     ]
     return Claim(
@@ -210,7 +210,7 @@ def claim(numbers):
         f"far off straight, at most {100 * MOST_LOST:g} in 100 more are lost, the error of guides "
         f"is at most {MOST_GUIDES:g} times and the sharpness at least {LEAST_SHARP:.2f} times "
         "that of the better of these two",
-        f"means of {len(by_view)} views, {ALONE}, {TOLD}, {TURNED}: {'; '.join(told)}",
+        f"in the mean of {len(by_view)} views, {ALONE}, {TOLD} and {TURNED} have " + listed(told),
     )
 
 
