@@ -84,8 +84,8 @@ class Beside:
                 "Energies are at most the prototype's",
                 "ours",
                 verdict(bool((energies["ratio"] <= 1).all())),
-                f"they are so with {' and '.join(COMPARED)} in every style at every size, by the mean "
-                f"over {SEEDS} seeds",
+                f"they are so with {' and '.join(COMPARED)} in every style at every size, by the "
+                f"mean over {SEEDS} seeds",
                 f"{(energies['ratio'] <= 1).sum()} of {len(energies)} are; the worst is "
                 f"{worst['ratio']:.3f} times the prototype's, with {worst['preset']} in "
                 f"{worst['style']} at {worst['size']}",
