@@ -93,7 +93,12 @@ def verdict_section(claims):
     """
     count = {each: sum(claim.verdict == each for claim in claims) for each in VERDICTS}
     rows = [
-        {"": str(number), "claim": claim.claim, "verdict": claim.verdict, "section": claim.section}
+        {
+            "": str(number),
+            "claim": claim.claim.removesuffix("."),
+            "verdict": claim.verdict,
+            "section": claim.section,
+        }
         for number, claim in enumerate(claims, 1)
     ]
     return [

@@ -193,12 +193,24 @@ def _claim(found, claim, section, rule, modes, numbers, holds):
     if found is None:
         return Claim(claim, section, OPEN, rule, "the house, or its mesh, is not rendered")
     told = ". ".join(
-        f"{NUMBERS[number].title} is "
+        f"{_WORDS[number]} "
         + by_case({mode: NUMBERS[number].form.format(found.loc[mode, number]) for mode in modes})
         for number in numbers
     )
     return Claim(claim, section, verdict(bool(holds(found))), rule, told, numbers == ("cpu",))
 
+
+_WORDS = {
+    "change": "The median change is",
+    "switch": "The largest change at a switch is",
+    "middle": "The gradient in the middle is",
+    "outlines": "The share of outlines is",
+    "ghosts": "The share of ghosts is",
+    "error": "The error beside the stylized view is",
+    "kept": "The share of its gradient is",
+    "cpu": "The milliseconds of the processor for a picture are",
+}
+"""How a claim tells a number."""
 
 _VIEWS = "the views themselves"
 
