@@ -1,4 +1,4 @@
-# make eval   install and regenerate the thesis' tables and figures: PRESET=quick or thesis
+# make eval   install, and regenerate the tables, figures and claims of four publications
 # make test   install and run the tests; make test-fast the quick ones
 # make help   the other targets
 
@@ -15,8 +15,8 @@ PYTHONS ?= 3.11 3.12 3.13 3.14
 
 .PHONY: eval reports schedules epsilon stylit spilling levels bench scenes test test-fast test-gpu ptx docs notebooks wheel lowest lint viewer bundles data turntable blender help clean
 
-eval: $(VENV)/$(if $(SCHEDULER),cluster,eval).installed ## make the report on the thesis: PRESET=quick or thesis, SCHEDULER=ADDRESS, ARGS="--scene DIR"; DOCUMENT=lasram: on texture synthesis, heidrich: on real time
-	$(BIN)/python -m eval $(or $(DOCUMENT),dzurenko) $(if $(PRESET),--preset "$(PRESET)") $(if $(SCHEDULER),--scheduler "$(SCHEDULER)") $(ARGS)
+eval: $(VENV)/$(if $(SCHEDULER),cluster,eval).installed ## make the reports on four publications; DOCUMENT=dzurenko, lasram, heidrich or hauptfleisch: one of them, with PRESET, ARGS, and for dzurenko SCHEDULER=ADDRESS
+	$(BIN)/python -m eval $(or $(DOCUMENT),$(if $(PRESET)$(SCHEDULER)$(ARGS),dzurenko,documents)) $(if $(PRESET),--preset "$(PRESET)") $(if $(SCHEDULER),--scheduler "$(SCHEDULER)") $(ARGS)
 
 reports: $(VENV)/eval.installed ## copy finished reports to reports/, made small: ARGS=NAME for a new one
 	$(BIN)/python -m eval publish $(ARGS)

@@ -30,8 +30,8 @@ def _in(package):
 
 
 def main(arguments=None):
-    """Write a report; returns the exit code."""
-    arguments = sys.argv[1:] if arguments is None else arguments
+    """Write a report, or those on all publications if none is named; returns the exit code."""
+    arguments = (sys.argv[1:] if arguments is None else arguments) or ["documents"]
     parser = argparse.ArgumentParser(prog="python -m eval", description=__doc__)
     commands = parser.add_subparsers(dest="report", required=True, metavar="REPORT")
     for name, module in sorted(reports().items()):

@@ -15,6 +15,9 @@ from stylit_ref.views.frames import Motion
 GUIDES = ("FULL", "LDE", "LDDE", "LSE", "LIGHTMASK", "WIREFRAME")
 """The thesis' six (2.4.1): beauty, direct, indirect and reflected light, shadows, wireframe."""
 
+_NO_VIEWS = "motion", "mesh", "source"
+"""What else a scene of several views has."""
+
 _LIMITS = {"house": HOUSE_LIMITS, "chapel": CHAPEL_LIMITS}
 
 
@@ -56,7 +59,7 @@ def _read(scene, style, manifest, guides, count):
     views = [
         view
         for view in manifest.pieces
-        if view.startswith(f"{scene}/") and view not in (f"{scene}/motion", f"{scene}/source")
+        if view.startswith(f"{scene}/") and view.rpartition("/")[2] not in _NO_VIEWS
     ][:count]
     if not views:
         raise InputError(f"{manifest.folder}: holds no views of {scene}; render it with make data")

@@ -3,10 +3,12 @@
 import hashlib
 import json
 import sys
+import time
 from collections.abc import Callable
 from typing import NamedTuple
 
 from eval.pages.page import Report, is_up_to_date, new_report
+from eval.pages.web_page import SCRIPT, STYLE
 from eval.provenance import provenance
 from eval.runs.complete import Task, complete
 from eval.runs.store import numbers_of, stored
@@ -49,6 +51,7 @@ def make_document(document, folder, scheduler=None):
     int
         The exit code: 1 if a run failed. Each that failed is named, the others are kept.
     """
+    begun = time.perf_counter()
     failures = complete(document.tasks, scheduler)
     for title, reason in failures.items():
         print(f"eval: failed: {title}: {reason}", file=sys.stderr)
@@ -60,20 +63,25 @@ def make_document(document, folder, scheduler=None):
     if is_up_to_date(folder, inputs):
         print(f"eval: {folder} is up to date", file=sys.stderr)
     else:
-        with new_report(folder, inputs) as report:
+        with new_report(folder, inputs, begun) as report:
             report.page(document.title, document.sections(report))
     print(f"Written: {folder / 'report.html'}")
     return 0
 
 
 def made_on(tasks):
-    """The machines, versions and commits that did some runs, and those of the report, as text."""
+    """A section on the machines, versions and commits of some runs, and those of the report."""
     made = sorted({stored(task.job).made for task in tasks})
-    return "\n".join(f"- {line}" for line in made) + f"\n\nReport: {provenance()}"
+    return [
+        "## Made on",
+        "The runs were done by:",
+        "\n".join(f"- {line}" for line in made),
+        f"The report was written by {provenance()}.",
+    ]
 
 
 def _digest(document):
     """Identifies everything that a report is made of."""
     runs = [(task.job.key, sorted(numbers_of(task.job).items())) for task in document.tasks]
-    content = json.dumps([document.title, runs, document.inputs])
+    content = json.dumps([document.title, runs, document.inputs, STYLE, SCRIPT])
     return hashlib.sha256(content.encode()).hexdigest()

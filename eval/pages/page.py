@@ -4,17 +4,17 @@ Every report has its own folder in ``build/reports``, and a failure leaves none 
 report itself lists the files to commit; :mod:`eval.reports.publish` copies them.
 """
 
-import base64
 import json
-import re
 import shutil
+import time
 from contextlib import contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from markdown_it import MarkdownIt
+from PIL import Image
 
 from eval.pages.tables import table
+from eval.pages.web_page import FEWEST_LISTED, headings, web_page
 
 BUILT = Path("build/reports")
 """Folder of finished reports."""
@@ -27,28 +27,7 @@ RECORD = "report.json"
 
 _PARTIAL = ".partial_"
 
-_PAGE = """<!doctype html>
-<html lang="en">
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<title>{title}</title>
-<style>
-body {{ font: 16px/1.5 sans-serif; max-width: 75rem; margin: 2rem auto; padding: 0 1rem }}
-img {{ max-width: 100%; cursor: zoom-in }}
-img.large {{ max-width: none; cursor: zoom-out }}
-p:has(img), div.table {{ overflow-x: auto }}
-table {{ border-collapse: collapse; font-size: .85em }}
-th, td {{ border-bottom: 1px solid #ccc; padding: .2rem .6rem; text-align: right }}
-th:first-child, td:first-child {{ text-align: left }}
-</style>
-{body}
-<script>
-document.addEventListener("click", event => {{
-  if (event.target.tagName === "IMG") event.target.classList.toggle("large");
-}});
-</script>
-</html>
-"""
+_QUALITY_OF_PAIRS = 85
 
 
 class Report:
@@ -83,6 +62,28 @@ class Report:
         self._add(file, committed)
         return f"![{caption}]({file})"
 
+    def pair(self, name, one, other):
+        """Write two images of a size, to be compared with a slider.
+
+        Parameters
+        ----------
+        name : str
+        one, other : (str, (H, W, 3) uint8)
+            Title and image.
+
+        Returns
+        -------
+        str
+            Markdown that shows them.
+        """
+        shown = []
+        for number, (title, image) in enumerate((one, other), 1):
+            file = f"{name}_{number}.webp"
+            Image.fromarray(image).save(self.folder / file, quality=_QUALITY_OF_PAIRS, method=6)
+            self._add(file, True)
+            shown.append(f"![{title}]({file})")
+        return " ".join(shown)
+
     def table(self, name, numbers, shown):
         """Write a table's numbers as CSV; returns Markdown with its text."""
         return f"{table(shown)}\n\n{self.csv(name, numbers)}"
@@ -103,10 +104,15 @@ class Report:
         sections : iterable of str
             Markdown blocks.
         """
-        text = "\n\n".join([f"# {title}", *sections]) + "\n"
-        (self.folder / "report.md").write_text(text, encoding="utf-8")
-        page = re.sub(r'src="([^"]+\.webp)"', self._embedded, html_page(title, text))
+        blocks = [f"# {title}", *sections]
+        text = "\n\n".join(blocks) + "\n"
+        page = web_page(title, text, self.folder)
         (self.folder / "report.html").write_text(page, encoding="utf-8")
+        listed = headings(text)
+        if len(listed) >= FEWEST_LISTED:
+            contents = "\n".join(f"- [{name}](#{anchor})" for name, anchor in listed.items())
+            text = "\n\n".join([blocks[0], contents, *blocks[1:]]) + "\n"
+        (self.folder / "report.md").write_text(text, encoding="utf-8")
         self._add("report.md", True)
         self._add("report.html", False)
 
@@ -115,13 +121,9 @@ class Report:
         if committed:
             self.committed.append(file)
 
-    def _embedded(self, match):
-        data = base64.b64encode((self.folder / match[1]).read_bytes()).decode()
-        return f'src="data:image/webp;base64,{data}"'
-
 
 @contextmanager
-def new_report(folder, inputs=None):
+def new_report(folder, inputs=None, begun=None):
     """Make a report in a temporary folder; it replaces the last one when it is complete.
 
     Parameters
@@ -129,6 +131,9 @@ def new_report(folder, inputs=None):
     folder : Path
     inputs : str, optional
         Identifies everything that the report is made from (:func:`is_up_to_date`).
+    begun : float, optional
+        Wall seconds when its runs began (:func:`time.perf_counter`); the record tells how long it
+        took.
 
     Yields
     ------
@@ -140,54 +145,36 @@ def new_report(folder, inputs=None):
     with TemporaryDirectory(prefix=_PARTIAL, dir=folder) as partial:
         report = Report(Path(partial))
         yield report
-        write_record(report.folder, report.files, report.committed, inputs)
+        seconds = begun and time.perf_counter() - begun
+        write_record(report.folder, report.files, report.committed, inputs, seconds)
         for file in (*read_record(folder)["files"], RECORD):
             (folder / file).unlink(missing_ok=True)
         for file in (*report.files, RECORD):  # the record last: a report without it is made again
             (report.folder / file).replace(folder / file)
 
 
-def write_record(folder, files, committed, inputs=None):
+def write_record(folder, files, committed, inputs=None, seconds=None):
     """Write the record of a report."""
-    record = {"inputs": inputs, "files": files, "committed": committed}
+    record = {"inputs": inputs, "files": files, "committed": committed, "seconds": seconds}
     (folder / RECORD).write_text(json.dumps(record, indent=1) + "\n", encoding="utf-8")
 
 
 def read_record(folder):
-    """The record of a report: ``inputs``, ``files``, ``committed``; empty if there is none."""
+    """The record of a report: ``inputs``, ``files``, ``committed``, ``seconds``; else empty."""
     try:
         record = json.loads((folder / RECORD).read_text(encoding="utf-8"))
         names = {part: list(map(str, record[part])) for part in ("files", "committed")}
         if all(Path(name).name == name for part in names.values() for name in part):
-            return {"inputs": record["inputs"], **names}
+            return {"inputs": record["inputs"], "seconds": record.get("seconds"), **names}
     except (OSError, ValueError, KeyError, TypeError):
         pass
-    return {"inputs": None, "files": [], "committed": []}
+    return {"inputs": None, "seconds": None, "files": [], "committed": []}
 
 
 def is_up_to_date(folder, inputs):
     """Whether the folder holds a complete report made from these inputs."""
     record = read_record(folder)
     return record["inputs"] == inputs and all((folder / file).exists() for file in record["files"])
-
-
-def html_page(title, text):
-    """A page for the browser, also for a phone; a click enlarges an image.
-
-    Parameters
-    ----------
-    title, text : str
-        ``text`` is Markdown.
-
-    Returns
-    -------
-    str
-    """
-    body = MarkdownIt("commonmark").enable("table").render(text)
-    body = body.replace("<table>", '<div class="table"><table>').replace(
-        "</table>", "</table></div>"
-    )
-    return _PAGE.format(title=title, body=body)
 
 
 def shown(folder):

@@ -1,32 +1,33 @@
 """Measure views between those of a grid (Hauptfleisch 2020, 3.3): every mode along a path."""
 
-from itertools import pairwise
 from pathlib import Path
-from time import process_time
 
 import numpy as np
 import pandas as pd
-from tqdm import tqdm
 
+from eval.between_views import (
+    STEP,
+    THESIS,
+    along_a_path,
+    at_distance,
+    corners_of,
+    in_the_middle,
+    left_out,
+    middle_of_cell,
+    place_of,
+)
 from eval.number import Number
 from eval.pages import options as shared
 from eval.pages.figures import comparison, contact_sheet
 from eval.pages.page import new_report, shown
 from eval.pages.tables import formatted, table
 from eval.provenance import provenance
-from eval.view_paths import DARK, Truth, WithoutSilhouettes
+from eval.view_paths import DARK
 from stylit_ref import InputError
-from stylit_ref.views.interpolation.axis import Axis
-from stylit_ref.views.interpolation.grid import Grid
 from stylit_ref.views.interpolation.mesh_geometry import MeshGeometry
 from stylit_ref.views.interpolation.of_run import views_of_run
-from stylit_ref.views.interpolation.view_interpolator import MODES, ViewInterpolator
+from stylit_ref.views.interpolation.view_interpolator import MODES
 from stylit_ref.views.run_folder import Run
-
-STEP = 0.25
-"""Degrees from frame to frame of a path."""
-
-THESIS = "limited, thesis' masks"
 
 NUMBERS = {
     "change": Number("change", "{:.2f}"),
@@ -82,24 +83,24 @@ def _sections(report, views, alone, others, run):
     yield provenance()
     yield _TEXT
     yield "## Along a row of views"
-    path = pd.DataFrame(_along_a_path(views, alone))
+    path = pd.DataFrame(along_a_path(views, alone))
     yield report.table("path", path, formatted(path, NUMBERS))
     yield "## In the middle between four views"
-    middle = pd.DataFrame(_in_the_middle(views))
+    middle = pd.DataFrame(in_the_middle(views))
     yield report.table("middle", middle, formatted(middle, NUMBERS))
     yield "## Goals"
     yield table(pd.DataFrame(_goals(path.set_index("mode"), middle.set_index("mode"))))
     yield "## The same path on coarser and finer grids"
-    rows = pd.DataFrame(row for each in (*others, views) for row in _at_distance(each))
+    rows = pd.DataFrame(row for each in (*others, views) for row in at_distance(each))
     rows = rows.sort_values(["mode", "degrees"])
     yield report.table("distance", rows, formatted(rows, NUMBERS))
     yield "## Left out"
     yield _LEFT_OUT
-    rows = pd.DataFrame(row for each in (*others, views) for row in _left_out(each))
+    rows = pd.DataFrame(row for each in (*others, views) for row in left_out(each))
     rows = rows.sort_values(["mode", "degrees"])
     yield report.table("left_out", rows, formatted(rows, NUMBERS))
     yield "## Figures"
-    place = _middle_of_cell(views.grid)
+    place = middle_of_cell(views.grid)
     sheets = [(mode, views.picture(place, mode)) for mode in MODES]
     yield report.figure(
         "modes", "Figure 3.5: every mode in the middle between four views",
@@ -118,7 +119,7 @@ def _sections(report, views, alone, others, run):
         )  # fmt: skip
     frame = views.grid.frames[1][1]
     stylized = Run(run).picture(frame)
-    between = _corners_of(views).picture(_place_of(views.grid, 1, 1), "limited")
+    between = corners_of(views).picture(place_of(views.grid, 1, 1), "limited")
     yield report.figure(
         "stylized", "Figure 3.8: stylized, and shown from views twice as far apart",
         comparison, [[("stylized", stylized), ("between", between)]], (0.25, 0.3, 0.35, 0.35),
@@ -142,103 +143,6 @@ def _goals(path, middle):
         yield {"goal": goal, "asked": most, "found": f"{found:.3f}", "": verdict}
 
 
-def _along_a_path(views, alone):
-    """Every mode along the middle row."""
-    path = _path(views.grid)
-    jobs = [(views, mode, mode) for mode in MODES]
-    if alone:
-        jobs += [(alone, mode, f"{mode}, views stylized alone") for mode in ("limited", "fade")]
-    truth, base = Truth(views.geometry), None
-    switches = _steps_at_switches(views.grid, path)
-    jobs.sort(key=lambda job: job[2] != "limited")
-    for each, mode, name in tqdm(jobs, unit="path", disable=None):
-        pictures = [each.picture(place, mode) for place in path]
-        changes = _changes(truth, pictures, path)
-        looks = [truth.looks(*pair) for pair in zip(pictures, path, strict=True)]
-        sharpness = np.array([each.sharpness for each in looks])
-        base = base or (np.median(changes), sharpness)
-        worst = changes[switches].max()
-        yield {
-            "mode": name,
-            "change": np.median(changes),
-            "switch": worst,
-            "ratio": worst / base[0],
-            "sharpness": sharpness.mean(),
-            "least": (sharpness / base[1]).min(),
-            "cpu": _cpu(each, path, mode),
-        }
-
-
-def _in_the_middle(views):
-    """Outlines and ghosts in the middle of the cells around the middle view."""
-    truth = Truth(views.geometry)
-    places = [_middle_of_cell(views.grid, row, column) for row in (0, 1) for column in (0, 1)]
-    thesis = ViewInterpolator(
-        views.grid, WithoutSilhouettes(views.geometry), views.stylized, views.band
-    )
-    own = [
-        truth.looks(views.stylized.pictures[views.grid.frames[r][c]], _place_of(views.grid, r, c))
-        for r in range(3)
-        for c in range(3)
-    ]
-    yield {"mode": "the views themselves", **_mean(own)}
-    for each, mode, name in (
-        *((views, mode, mode) for mode in MODES), (thesis, "limited", THESIS),
-    ):  # fmt: skip
-        yield {
-            "mode": name,
-            **_mean([truth.looks(each.picture(place, mode), place) for place in places]),
-        }
-
-
-def _at_distance(views):
-    """Image shifting and the limited search along the middle of the middle row."""
-    truth, degrees = Truth(views.geometry), views.grid.columns.gaps[0]
-    reach = 2.5  # what the finest of our grids covers
-    path = [(x, 0.0) for x in np.arange(-reach, reach + STEP / 2, STEP).tolist()]
-    for mode in ("image", "nnf", "limited", "fade"):
-        pictures = [views.picture(place, mode) for place in path]
-        changes = _changes(truth, pictures, path)
-        looks = [truth.looks(*pair) for pair in zip(pictures, path, strict=True)]
-        yield {
-            "mode": mode,
-            "degrees": degrees,
-            "change": np.median(changes),
-            "switch": changes.max(),
-            **_mean(looks),
-        }
-
-
-def _left_out(views):
-    """The middle view, shown from the corners of the grid, beside what was stylized there."""
-    truth, coarse = Truth(views.geometry), _corners_of(views)
-    place, frame = _place_of(views.grid, 1, 1), views.grid.frames[1][1]
-    own = views.stylized.pictures[frame]
-    looks = truth.looks(own, place)
-    for mode in ("linear", "image", "blend", "nnf", "limited"):
-        picture = coarse.picture(place, mode)
-        found = truth.looks(picture, place)
-        yield {
-            "mode": mode,
-            "degrees": 2 * views.grid.columns.gaps[0],
-            "error": np.abs(picture.astype(int) - own).mean(),
-            "kept": found.sharpness / looks.sharpness,
-            "outlines": found.outlines,
-            "of_views": looks.outlines,
-        }
-
-
-def _corners_of(views):
-    """The same views without those between the corners."""
-    grid = views.grid
-    columns, rows = (
-        Axis((axis.positions[0], axis.positions[2]), axis.unit)
-        for axis in (grid.columns, grid.rows)
-    )
-    frames = tuple(tuple(row[0:3:2]) for row in grid.frames[0:3:2])
-    return ViewInterpolator(Grid(columns, rows, frames), views.geometry, views.stylized, views.band)
-
-
 def _at_switch(views, name):
     """Pictures before and after a switch, and where they differ much."""
     across = views.grid.columns
@@ -247,65 +151,6 @@ def _at_switch(views, name):
     differs = np.abs(one.astype(int) - other).max(axis=2) > 32
     marked = np.where(differs[..., None], np.uint8([220, 0, 0]), other)
     return [(f"{name}, before", one), ("after", other), ("changed", marked)]
-
-
-def _path(grid):
-    """From the first to the last view of the middle row."""
-    low, high = grid.columns.reach
-    y = grid.rows.positions[1] - grid.rows.middle
-    return [(x, y) for x in np.arange(low, high + STEP / 2, STEP).clip(low, high).tolist()]
-
-
-def _steps_at_switches(grid, path):
-    """The steps that lie within a fifth of a cell of the middle between two views."""
-    found = []
-    for step, (here, there) in enumerate(pairwise(path)):
-        between = grid.columns.around((here[0] + there[0]) / 2)
-        middle = (between.low_at + between.high_at) / 2
-        if abs(between.at - middle) <= 0.2 * (between.high_at - between.low_at):
-            found.append(step)
-    return found
-
-
-def _changes(truth, pictures, path):
-    return np.array([
-        truth.change(*pair, *places)
-        for pair, places in zip(
-            pairwise(pictures), pairwise(path),
-            strict=True,
-        )
-    ])  # fmt: skip
-
-
-def _cpu(views, path, mode):
-    """The median over a path of the processor time of a picture, in ms."""
-    spent = []
-    for place in path[::4]:
-        start = process_time()
-        views.picture(place, mode)
-        spent.append(process_time() - start)
-    return 1000 * np.median(spent)
-
-
-def _middle_of_cell(grid, row=0, column=0):
-    return tuple(
-        (axis.positions[k] + axis.positions[k + 1]) / 2 - axis.middle
-        for axis, k in ((grid.columns, column), (grid.rows, row))
-    )
-
-
-def _place_of(grid, row, column):
-    return (
-        grid.columns.positions[column] - grid.columns.middle,
-        grid.rows.positions[row] - grid.rows.middle,
-    )
-
-
-def _mean(looks):
-    return {
-        name: np.mean([getattr(each, name) for each in looks])
-        for name in ("sharpness", "outlines", "ghosts")
-    }
 
 
 _TEXT = f"""\

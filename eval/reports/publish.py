@@ -4,6 +4,7 @@ A report's record lists what is committed: the page, the CSVs, and some of the f
 """
 
 import io
+import math
 import re
 import shutil
 
@@ -15,8 +16,13 @@ from stylit_ref import InputError
 MOST_BYTES = 250_000
 """Most bytes of a committed figure."""
 
+MOST_OF_COPY = {"lasram": 1_500_000, "heidrich": 1_000_000, "hauptfleisch": 2_000_000}
+"""Most bytes of a committed copy, by the first word of its name; its largest figures give way."""
+
 MOST_PIXELS = 2000
 """Width of a committed figure."""
+
+_FIGURE = r"!\[[^\]]*\]\(([^)]*)\)"
 
 
 def add_options(parser):
@@ -68,12 +74,16 @@ def publish(names=()):
 def _publish(built, folder):
     """Replace the copy of a report."""
     files = read_record(built)["committed"]
+    figures = [file for file in files if file.endswith(".webp")]
+    rest = sum((built / file).stat().st_size for file in set(files) - set(figures))
+    most = MOST_OF_COPY.get(folder.name.partition("_")[0], math.inf) - rest
+    encoded = small_figures([built / file for file in figures], most)
     if folder.exists():
         shutil.rmtree(folder)
     folder.mkdir(parents=True)
     for file in files:
-        if file.endswith(".webp"):
-            (folder / file).write_bytes(small_figure(built / file))
+        if file in figures:
+            (folder / file).write_bytes(encoded[file])
         elif file.endswith(".md"):
             text = (built / file).read_text(encoding="utf-8")
             (folder / file).write_text(only_figures(text, files), encoding="utf-8")
@@ -88,34 +98,46 @@ def only_figures(text, files):
     Parameters
     ----------
     text : str
-        Markdown; a figure is a paragraph of its own.
+        Markdown; a figure, or a pair of them, is a paragraph of its own.
     files : sequence of str
 
     Returns
     -------
     str
     """
-    paragraphs = text.split("\n\n")
-    shown = (re.fullmatch(r"!\[[^\]]*\]\(([^)]*)\)", paragraph) for paragraph in paragraphs)
     return "\n\n".join(
         paragraph
-        for paragraph, figure in zip(paragraphs, shown, strict=True)
-        if not figure or figure[1] in files
+        for paragraph in text.split("\n\n")
+        if not re.fullmatch(rf"{_FIGURE}( {_FIGURE})?", paragraph)
+        or set(re.findall(_FIGURE, paragraph)) <= set(files)
     )
 
 
-def small_figure(file):
-    """A figure as WebP of at most :data:`MOST_BYTES`; a small file stays as it is.
+def small_figures(files, most=math.inf):
+    """Figures as WebP, none larger than :data:`MOST_BYTES`.
 
     Parameters
     ----------
-    file : Path
+    files : sequence of Path
+    most : float
+        Bytes of all together; if they are more, the largest become smaller.
 
     Returns
     -------
-    bytes
+    dict of str to bytes
+        By the name of the file.
     """
-    if file.suffix == ".webp" and file.stat().st_size <= MOST_BYTES:
+    bound = MOST_BYTES
+    while True:
+        encoded = {file.name: _small_figure(file, bound) for file in files}
+        if sum(map(len, encoded.values())) <= most:
+            return encoded
+        bound = 3 * bound // 4
+
+
+def _small_figure(file, most):
+    """A figure as WebP of that many bytes at most; a small file stays as it is."""
+    if file.suffix == ".webp" and file.stat().st_size <= most:
         return file.read_bytes()
     image = Image.open(file).convert("RGB")
     width = min(image.width, MOST_PIXELS)
@@ -124,6 +146,6 @@ def small_figure(file):
         for quality in (80, 65):  # lower quality blurs letters more than a smaller image does
             encoded = io.BytesIO()
             scaled.save(encoded, "WEBP", quality=quality, method=6)
-            if encoded.tell() <= MOST_BYTES:
+            if encoded.tell() <= most:
                 return encoded.getvalue()
         width = round(0.9 * width)

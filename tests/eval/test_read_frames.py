@@ -51,6 +51,21 @@ def test_of_a_sequence_the_first_frames_are_read(tmp_path):
     np.testing.assert_array_equal(walk.edges[1, 0].visible, np.eye(5, 7) > 0)
 
 
+def test_a_mesh_beside_the_views_is_no_view(tmp_path):
+    manifest = Manifest.open(tmp_path / "shot")
+    for name in ("sketched_walk", "walk/00", "walk/mesh"):
+        (manifest.folder / name).mkdir(parents=True)
+    (manifest.folder / "sketched_walk/sketches").mkdir()
+    images = [f"{view}/{layer}" for view in ("sketched_walk", "walk/00")
+              for layer in ("FULL", "IDMASK", "DEPTH")]  # fmt: skip
+    for image in ("sketched_walk/sketches/wash", *images):
+        write_image(manifest.folder / f"{image}.png", np.full((5, 7, 3), 99, np.uint8))
+    (manifest.folder / "walk/mesh/scene.obj").touch()
+    for name in ("sketched_walk", "walk/00", "walk/mesh"):
+        manifest.add(name)
+    assert read_frames("walk", "wash", manifest.folder, ("FULL",)).frames == 1
+
+
 def test_what_is_not_there_is_one_sentence(tmp_path):
     with pytest.raises(InputError, match="holds no views of castle"):
         read_frames("castle", "oil", BUNDLED)

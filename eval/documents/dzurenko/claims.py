@@ -10,8 +10,9 @@ import pandas as pd
 from scipy.stats import spearmanr
 
 from eval.documents.dzurenko.printed import EPSILON, EPSILONS, LAMBDA, UNIFORMITIES
-from eval.pages.claims import OPEN, Claim, majority, verdict
-from eval.runs.store import numbers_of, stored
+from eval.documents.dzurenko.tables import seconds_of
+from eval.pages.claims import OPEN, Claim, by_case, listed, majority, verdict
+from eval.runs.store import numbers_of
 
 
 def claims(plan, similarities):
@@ -53,19 +54,26 @@ def _best_lambda(plan):
         gain = (patches[0] - patches) / np.ptp(patches)
         cost = (energy - energy[0]) / np.ptp(energy)
         best[target] = UNIFORMITIES[int(np.argmax(gain - cost))]
-    found = ", ".join(f"{target} {uniformity}" for target, uniformity in best.items())
     return Claim(
         "The best λ lies between 5000 and 15000",
         "4.3",
         majority([5000 <= uniformity <= 15000 for uniformity in best.values()]),
         "on most targets the knee lies there: what λ has gained in patch distance, as a share of "
         "all it can, exceeds most what it has cost in image energy; the thesis judged by eye",
-        f"knee: {found}",
+        "the knee lies at "
+        + by_case({target: str(uniformity) for target, uniformity in best.items()}),
     )
 
 
+_DETAIL = {
+    "patches": ("the patch distance", "{:.2f}"),
+    "richness": ("Richness", "{:.3f}"),
+    "sharpness": ("Sharpness", "{:.3f}"),
+}
+
+
 def _washout(plan):
-    votes, found = [], []
+    votes, found = [], {name: {} for name in _DETAIL}
     for target, seeds in plan.seeds.items():
         zero, default = (
             pd.DataFrame([numbers_of(plan.ref(target, value, seed)) for seed in seeds])
@@ -81,20 +89,20 @@ def _washout(plan):
                 for name in worse
             )
         )
-        pairs = (
-            f"{zero[name].mean():.{digits}f} and {default[name].mean():.{digits}f}"
-            for name, digits in (("patches", 2), ("richness", 3), ("sharpness", 3))
-        )
-        found.append(f"{target} {', '.join(pairs)}")
+        for name, (_, form) in _DETAIL.items():
+            found[name][target] = " to ".join(
+                form.format(each[name].mean()) for each in (zero, default)
+            )
     return Claim(
         "λ = 0 washes out the style",
         "4.3",
         majority(votes),
         "on most targets the patch distance to the style is larger at λ = 0 than at λ = 10000 and "
         "the output less rich in detail, by more than seeds differ where several were run",
-        "patch distance, richness and sharpness at λ = 0 and 10000: "
-        + "; ".join(found)
-        + ". Smooth patches are taken more often; that voting blurs (sharpness) is not why",
+        "from λ = 0 to λ = 10000 "
+        + ". ".join(f"{_DETAIL[name][0]} goes from {by_case(of)}" for name, of in found.items())
+        + ". At λ = 0 smooth patches are taken more often; blur by voting, which sharpness would "
+        "tell, is not the cause",
     )
 
 
@@ -102,12 +110,12 @@ def _slower(plan):
     trends = {
         target: spearmanr(
             UNIFORMITIES,
-            [stored(plan.ref(target, uniformity)).seconds for uniformity in UNIFORMITIES],
+            [seconds_of(plan.ref(target, uniformity)) for uniformity in UNIFORMITIES],
         ).statistic
         for target in plan.scenes
     }
     ratios = [
-        stored(plan.ref(target, 100000)).seconds / stored(plan.ref(target, 0)).seconds
+        seconds_of(plan.ref(target, 100000)) / seconds_of(plan.ref(target, 0))
         for target in plan.scenes
     ]
     printed = LAMBDA.pivot_table(index="target", columns="lambda", values="time_s")
@@ -117,16 +125,16 @@ def _slower(plan):
         "4.3",
         majority([trend > 0.8 for trend in trends.values()]),
         "on most targets the rank correlation of λ and time is above 0.8",
-        f"correlations {', '.join(f'{trend:.2f}' for trend in trends.values())}; λ = 100000 takes "
-        f"{min(ratios):.2f} to {max(ratios):.2f} times as long as λ = 0 (thesis: "
-        f"{published.min():.2f} to {published.max():.2f})",
+        f"the correlation is {by_case({name: f'{trend:.2f}' for name, trend in trends.items()})}. "
+        f"λ = 100000 takes {min(ratios):.2f} to {max(ratios):.2f} times as long as λ = 0; in the "
+        f"thesis it is {published.min():.2f} to {published.max():.2f} times",
         of_time=True,
     )
 
 
 def _without_omega(plan):
     ratios = [
-        stored(plan.omega_kept(target)).seconds / stored(plan.ref(target, 0)).seconds
+        seconds_of(plan.omega_kept(target)) / seconds_of(plan.ref(target, 0))
         for target in plan.scenes
     ]
     median = float(np.median(ratios))
@@ -136,7 +144,8 @@ def _without_omega(plan):
         verdict(1.5 <= median <= 2.5),
         "the median over targets of the ratio is in that range; λ = 0 here never updates W, though "
         "its one read a candidate stays, and the least λ above 0 stands for λ = 0 with all of it",
-        f"{median:.2f} times ({min(ratios):.2f} to {max(ratios):.2f})",
+        f"it is {median:.2f} times as fast by the median, and {min(ratios):.2f} to "
+        f"{max(ratios):.2f} times on single targets",
         of_time=True,
     )
 
@@ -150,7 +159,7 @@ def _shared_memory(plan):
         if setting.startswith("shared memory")
     ]
     unknown = (
-        "no GPU was at hand; in the simulator the bytes are equal (tests/gpu_cuda), and ptxas "
+        "there was no GPU; in the simulator the bytes are equal (tests/gpu_cuda), and ptxas "
         "accepts the tile (reports/ptx)"
     )
     return Claim(
@@ -158,14 +167,14 @@ def _shared_memory(plan):
         "5.1.3",
         verdict(all(equal)) if equal else OPEN,
         "in every record of a GPU (reports/gpu) the bytes are those of the CPU",
-        f"equal in {sum(equal)} of {len(equal)} runs" if equal else unknown,
+        f"the bytes are equal in {sum(equal)} of {len(equal)} runs" if equal else unknown,
     )
 
 
 def _sweet_spot(plan, similarities):
     ratios = {
         target: [
-            stored(plan.ref(target)).seconds / stored(plan.guide_map(target, epsilon)).seconds
+            seconds_of(plan.ref(target)) / seconds_of(plan.guide_map(target, epsilon))
             for epsilon in (100, 10000)
         ]
         for target in plan.scenes
@@ -186,9 +195,10 @@ def _sweet_spot(plan, similarities):
         majority(votes),
         "on most targets ε = 100 is faster than ref, has 90 % of the gain of ε = 10000 and is "
         "closer to ref (FLIP)",
-        f"median ref/time {at_100:.2f} at ε = 100, {at_10000:.2f} at 10000: on this machine guide "
-        f"maps save {'something' if at_100 > 1 else 'nothing'}; FLIP "
-        + ", ".join(f"{target} {a:.3f} and {b:.3f}" for target, (a, b) in flips.items()),
+        f"by the median ref takes {at_100:.2f} times as long as ε = 100 and {at_10000:.2f} times "
+        f"as long as ε = 10000, so that guide maps save {'some' if at_100 > 1 else 'no'} time on "
+        "this machine. FLIP at ε = 100 and at ε = 10000 is "
+        + by_case({target: f"{a:.3f} and {b:.3f}" for target, (a, b) in flips.items()}),
         of_time=True,
     )
 
@@ -196,7 +206,7 @@ def _sweet_spot(plan, similarities):
 def _levelling_off(plan):
     gains = []
     for target in plan.scenes:
-        seconds = {epsilon: stored(plan.guide_map(target, epsilon)).seconds for epsilon in EPSILONS}
+        seconds = {epsilon: seconds_of(plan.guide_map(target, epsilon)) for epsilon in EPSILONS}
         gains.append((seconds[3] / seconds[100], seconds[100] / seconds[10000]))
     before, past = (float(np.median([pair[k] for pair in gains])) for k in (0, 1))
     printed = EPSILON.pivot_table(index="target", columns="epsilon", values="time_s")
@@ -208,8 +218,8 @@ def _levelling_off(plan):
         OPEN if before * past < 1.1 else verdict(before > past),
         "the median speed-up from ε = 3 to 100 exceeds that from 100 to 10000; not to be judged "
         "where the two together are below a tenth",
-        f"{before:.2f} and {past:.2f} times (thesis: {published_before:.2f} and "
-        f"{published_past:.2f})",
+        f"the median speed-up is {before:.2f} from ε = 3 to 100, and {past:.2f} from there on; in "
+        f"the thesis it is {published_before:.2f} and {published_past:.2f}",
         of_time=True,
     )
 
@@ -217,7 +227,11 @@ def _levelling_off(plan):
 def _edges(plan):
     if any(scene.ids is None for scene in plan.scenes.values()):
         return Claim(
-            "Edges are lost past ε = 5000", "5.2.4", OPEN, "spilling rises", "no object ids here"
+            "Edges are lost past ε = 5000",
+            "5.2.4",
+            OPEN,
+            "spilling rises",
+            "the scene has no colours of objects",
         )
     spilled = {
         target: [
@@ -233,9 +247,6 @@ def _edges(plan):
         "5.2.4",
         majority([past > 1.2 * ref for ref, _, past in spilled.values()]),
         "on most targets a fifth more patches come from another object at ε = 10000 than with ref",
-        "; ".join(
-            f"{target} {ref:.1%}, {at_5000:.1%}, {past:.1%}"
-            for target, (ref, at_5000, past) in spilled.items()
-        )
-        + " (ref, ε = 5000, ε = 10000)",
+        "with ref, ε = 5000 and ε = 10000 the share of such patches is "
+        + by_case({name: listed([f"{part:.1%}" for part in of]) for name, of in spilled.items()}),
     )

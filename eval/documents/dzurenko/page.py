@@ -9,10 +9,12 @@ from tqdm import tqdm
 
 from eval.documents.dzurenko import pictures, printed, tables
 from eval.documents.dzurenko.claims import claims
+from eval.documents.dzurenko.plan import ROUNDS
 from eval.metrics import definitions
-from eval.pages.claims import claims_section
+from eval.pages.claims import claims_section, verdict_section
 from eval.pages.document import Document, made_on
 from eval.pages.tables import formatted_with_spread
+from eval.runs.store import stored
 from stylit_ref.machine.code_digest import code_digest
 
 
@@ -37,17 +39,54 @@ def _sections(plan, report):
     found = claims(plan, similarities)
     sections = [
         _preface(plan),
+        *verdict_section(found),
+        *_pictures(plan, report),
         *claims_section("What the thesis says, and what we found", found, report),
         *_errata(report),
     ]
     for target in tqdm(plan.scenes, unit="target", disable=None):
         sections += _target(plan, target, similarities[target], report)
-    sections += _overall(plan, report)
     return [
         *sections,
+        *_overall(plan, report),
         "## What the numbers are",
         definitions(tables.MEASURES),
         tables.SIMILARITY_DEFINITIONS,
+        *made_on(plan.tasks),
+    ]
+
+
+def _pictures(plan, report):
+    target = plan.background
+
+    def image(job):
+        return stored(job).image
+
+    def figure(name, caption, draw):
+        return report.figure(name, caption, draw, plan, committed=True)
+
+    return [
+        "## Pictures",
+        f"λ decides how evenly the patches of the painting are used. On {target}, without it "
+        "(left) the style washes out:",
+        report.pair(
+            "washed_out",
+            ("λ = 0", image(plan.ref(target, 0))),
+            ("λ = 10000", image(plan.ref(target))),
+        ),
+        "Guide maps settle pixels early, as their guides say. What they change at ε = 10000, where "
+        "they are coarsest:",
+        report.pair(
+            "guide_maps",
+            ("ref", image(plan.ref(target))),
+            ("guide maps, ε = 10000", image(plan.guide_map(target, 10000))),
+        ),
+        "The same painting carried over by other methods (1.1). (d) is Hertzmann et al. 2001 with "
+        "the first guide alone, as in the thesis; (g) is StyLit with every patch of the style used "
+        "alike, in the manner of Jamriška et al. 2015.",
+        figure("background", f"Methods compared on {target}", pictures.background_figure),
+        "The picture is made from coarse to fine (2.3).",
+        figure("pyramid", f"{target} as it leaves each level", pictures.pyramid_figure),
     ]
 
 
@@ -61,15 +100,16 @@ def _preface(plan):
         "(fewer where the image is too small), 6 votes, 6 PatchMatch iterations, μ = 2; λ = 10000 "
         f"where none is said. Seeds: {seeds}; times are of the first. Published times are of a "
         "GeForce GTX 660, StyLit's of four threads of a CPU, at 1200x912: compare ratios, not "
-        "seconds. Our times are of the synthesis, kernels compiled before, on:\n\n"
-        + made_on(plan.tasks)
+        "seconds. Ours are seconds of the processor, all threads together, kernels compiled "
+        f"before; the least of {ROUNDS} runs, but for StyLit, which is run once. The machines "
+        "are named at the end of the page."
     )
 
 
 def _errata(report):
     errata = printed.errata()
     return [
-        "### Errata",
+        "## Errata",
         "Rows of the published tables whose ratio does not follow from their times, rounding "
         "allowed for:",
         report.table("errata", errata, tables.formatted_times(errata)),
@@ -88,7 +128,7 @@ def _target(plan, target, similarity, report):
     ]
 
     def figure(name, symbol, draw):
-        caption, alone = f"{symbol} on {target}", target == plan.background
+        caption, alone = f"Every {symbol} on {target}", target == plan.background
         return report.figure(f"{name}_{target}", caption, draw, plan, target, committed=alone)
 
     return [
@@ -133,16 +173,7 @@ def _overall(plan, report):
             "Numba's simulator both kernels give the same bytes, and the assembler says of them:",
             report.table("shared_memory_ptx", ptx, ptx),
         ]
-    return [
-        *sections,
-        f"## Background: {plan.background}",
-        "### Other methods (1.1)",
-        figure("background", "methods compared", pictures.background_figure),
-        "(d) is Hertzmann et al. 2001 with the first guide alone, as in the thesis; (g) is StyLit "
-        "with every patch of the style used alike, in the manner of Jamriška et al. 2015.",
-        "### Coarse to fine (2.3)",
-        figure("pyramid", "B' as it leaves each level", pictures.pyramid_figure),
-    ]
+    return sections
 
 
 CHECKOUT = Path(__file__).parents[3]

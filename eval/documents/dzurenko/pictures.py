@@ -5,6 +5,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import NullFormatter
 
 from eval.documents.dzurenko.printed import EPSILONS, UNIFORMITIES
+from eval.documents.dzurenko.tables import seconds_of
 from eval.metrics.sharpness import detail
 from eval.pages.figures import comparison, contact_sheet, detailed_window
 from eval.runs.store import numbers_of, stored
@@ -107,7 +108,7 @@ def trends_figure(plan, file):
         for row, (values, jobs, base) in enumerate(
             ((UNIFORMITIES, refs, refs[0]), (EPSILONS, maps, ref))
         ):
-            seconds = [stored(job).seconds / stored(base).seconds for job in jobs]
+            seconds = [seconds_of(job) / seconds_of(base) for job in jobs]
             axes[row, 0].plot(values, seconds, marker=".", label=target)
             for place, measure in zip(axes[row, 1:], ("patches", "guides", "style"), strict=True):
                 numbers = [numbers_of(job)[measure] for job in jobs]

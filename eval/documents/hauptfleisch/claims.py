@@ -1,6 +1,13 @@
 """The claims of the thesis, and what ours must reach, tested on our numbers."""
 
-from eval.documents.hauptfleisch import architecture, long_shot, turned
+from eval.documents.hauptfleisch import (
+    angles,
+    architecture,
+    between,
+    failures,
+    long_shot,
+    turned,
+)
 from eval.documents.hauptfleisch.claims_of_goals import (
     TITLES,
     WITHOUT_DATA,
@@ -9,7 +16,7 @@ from eval.documents.hauptfleisch.claims_of_goals import (
     said,
 )
 from eval.documents.hauptfleisch.goals import MOST_GUIDES
-from eval.pages.claims import OPEN, Claim, verdict
+from eval.pages.claims import OPEN, Claim, by_case, verdict
 from eval.runs.store import numbers_of
 from stylit_ref.views.params import PARALLEL, PLAIN, SEQUENTIAL, SWEEPS, Coherence
 
@@ -37,9 +44,12 @@ def claims(plan):
         _all_at_once(plan),
         _one_after_the_other(plan),
         *(_printed_form(plan, method) for method in ("ref", "stylit")),
+        *between.claims(plan.between),
+        *angles.claims(plan.data, plan.of_angles),
+        *failures.claims(bool(sketches)),
+        *([turned.claim(turned.table(plan.data, plan.preset.methods["ref"]))] if sketches else []),
         *claims_of_goals(plan),
         *long_shot.claims(plan.long_shot),
-        *([turned.claim(turned.table(plan.data, plan.preset.methods["ref"]))] if sketches else []),
     ]
 
 
@@ -56,8 +66,9 @@ def _alone(plan):
         "3.2.1",
         verdict(all(alone >= 3 * floor for alone, floor in found.values())) if found else OPEN,
         "their warping error is at least three times that of the renderings, everywhere",
-        "; ".join(f"{name}: {alone:.1f}, renderings {floor:.1f}"
-                  for name, (alone, floor) in found.items()) or WITHOUT_DATA,
+        "the error, and that of the renderings, are "
+        + by_case({name: f"{alone:.1f} and {floor:.1f}" for name, (alone, floor) in found.items()})
+        if found else WITHOUT_DATA,
     )  # fmt: skip
 
 
@@ -73,7 +84,7 @@ def _promoted(plan):
         "3.2.1",
         verdict(max(ratios) < 1) if ratios else OPEN,
         "the warping error is smaller than without it at every λ_c, in every order, everywhere",
-        f"{min(ratios):.2f} to {max(ratios):.2f} of that without it in {len(ratios)} runs"
+        f"it is {min(ratios):.2f} to {max(ratios):.2f} times that without it in {len(ratios)} runs"
         if ratios else WITHOUT_DATA,
     )  # fmt: skip
 
@@ -126,6 +137,7 @@ def _printed_form(plan, method):
         verdict(plain[0] > MOST_GUIDES >= norm[0]) if known else OPEN,
         f"at λ_c = 0.5 on the house the error of guides is more than {MOST_GUIDES} of that of "
         "frames alone with `plain`, and not with `norm`",
-        f"plain {plain[0]:.3f} (warping error {plain[1]:.2f}), norm {norm[0]:.3f} ({norm[1]:.2f})"
-        if known else "not part of this preset",
+        f"with `plain` it is {plain[0]:.3f} of it and the warping error {plain[1]:.2f}; with "
+        f"`norm` they are {norm[0]:.3f} and {norm[1]:.2f}"
+        if known else "it is not part of this preset",
     )  # fmt: skip

@@ -7,7 +7,7 @@ from eval.documents.hauptfleisch.goals import (
     MOST_GUIDES,
 )
 from eval.documents.hauptfleisch.tables import costs, of_floor, styles
-from eval.pages.claims import OPEN, Claim, verdict
+from eval.pages.claims import OPEN, Claim, by_case, listed, verdict
 from eval.runs.store import numbers_of
 
 TITLES = {
@@ -68,8 +68,9 @@ def of(plan, study, number, method, coherence):
 
 
 def said(ratios):
-    """Ratios by name, as text."""
-    return ", ".join(f"{name} {ratio:.2f}" for name, ratio in ratios.items())
+    """Ratios by name, as a sentence."""
+    told = {name: f"{ratio:.2f}" for name, ratio in ratios.items()}
+    return f"it is {by_case(told)}" if told else ""
 
 
 def _bounds(plan, study, goal):
@@ -94,7 +95,7 @@ def _bounds(plan, study, goal):
             "ours",
             verdict(held) if found else OPEN,
             "it is so with every method of the preset",
-            "; ".join(
+            ". ".join(
                 [said(found), *_elsewhere(plan, study, number, goal), *_floor(plan, study, number)]
             )
             if found
@@ -109,8 +110,8 @@ def _elsewhere(plan, study, number, goal):
         for way in plan.studies[study].ways["ref"]
         if (way.form, way.order) == ("norm", goal.coherence.order) and way != goal.coherence
     }
-    others = ", ".join(f"{ratio:.2f} at {weight:g}" for weight, ratio in sorted(found.items()))
-    return [f"ref elsewhere {others}"] if others else []
+    others = [f"{ratio:.2f} at λ_c = {weight:g}" for weight, ratio in sorted(found.items())]
+    return [f"Ref has {listed(others)}"] if others else []
 
 
 def _floor(plan, study, number):
@@ -118,10 +119,8 @@ def _floor(plan, study, number):
     if number != "warping":
         return []
     study = plan.studies[study]
-    shares = ", ".join(
-        f"{method} {1 / of_floor(study, study.alone(method)):.2f}" for method in study.ways
-    )
-    return [f"renderings as steep as these frames would have {shares}"]
+    shares = {method: f"{1 / of_floor(study, study.alone(method)):.2f}" for method in study.ways}
+    return [f"Renderings as steep as these frames would have {by_case(shares)}"]
 
 
 def _every_style(plan):
@@ -139,12 +138,17 @@ def _every_style(plan):
         "ours",
         verdict(held) if len(rows) > 1 else OPEN,
         "with ref all four bounds are kept in every style of the preset",
-        "; ".join(
-            f"{row['style']}: error {row['of alone']:.2f}, gradient {row['gradient']:.2f}, "
-            f"outlines {row['outlines']:.2f}, guides {row['guide_error']:.2f}"
-            for row in rows
+        "error, gradient, outlines and guides are "
+        + by_case(
+            {
+                row["style"]: listed(
+                    [f"{row[n]:.2f}" for n in ("of alone", "gradient", "outlines", "guide_error")]
+                )
+                for row in rows
+            }
         )
-        or WITHOUT_DATA,
+        if rows
+        else WITHOUT_DATA,
     )
 
 
@@ -164,7 +168,9 @@ def _silhouettes(plan):
         else OPEN,
         "with ref at the setting that is judged the dark share of the house's outline band is at "
         f"least {LEAST_OUTLINES} of that of frames alone, and not less than without the rule",
-        "; ".join(f"{ours:.2f}, without {without:.2f}" for ours, without in found.values())
+        "; ".join(
+            f"it is {ours:.2f}, and {without:.2f} without" for ours, without in found.values()
+        )
         or WITHOUT_DATA,
     )
 
@@ -179,9 +185,10 @@ def _cost(plan, study):
         "so many seconds of the processor, in turns with frames alone, without state files, with "
         "every method that is timed",
         "; ".join(
-            f"{row['method']}: {row['ratio']:.2f}, and state files {row['state files [s]']:g} s"
+            f"{row['method']} takes {row['ratio']:.2f} times as long, and "
+            f"{row['state files [s]']:g} seconds for state files"
             for row in rows
         )
-        or "not timed in this preset",
+        or "it is not timed in this preset",
         of_time=True,
     )

@@ -4,13 +4,21 @@ from functools import partial
 
 import numpy as np
 
-from eval.documents.hauptfleisch import architecture, pictures, tables, turned
+from eval.documents.hauptfleisch import (
+    angles,
+    architecture,
+    between,
+    failures,
+    pictures,
+    tables,
+    turned,
+)
 from eval.documents.hauptfleisch.claims import claims
 from eval.documents.hauptfleisch.claims_of_goals import TITLES
 from eval.documents.hauptfleisch.plan import METRICS
 from eval.metrics import METRICS as ALL_METRICS
 from eval.metrics import definitions
-from eval.pages.claims import claims_section
+from eval.pages.claims import claims_section, verdict_section
 from eval.pages.document import Document, made_on
 from eval.read_frames import GUIDES
 from eval.runs.store import stored
@@ -37,19 +45,40 @@ def document(plan, missing):
 
 
 def _sections(plan, missing, report):
+    found = claims(plan)
     return [
         _preface(plan, missing),
+        *verdict_section(found),
+        *_pictures(plan, report),
         *claims_section("What the thesis says, what ours must reach, and what we found",
-                        claims(plan), report),
+                        found, report),
         *(block for study in plan.studies.values() for block in _study(study, report)),
         *_styles(plan, report),
         *(architecture.section(plan.data, plan.sketches, report) if plan.sketches else ()),
         *_turned(plan, report),
+        *([] if plan.between is None else between.section(plan.between, report)),
+        *(angles.section(plan.data, plan.of_angles, report) if plan.of_angles else ()),
+        *(failures.section(plan.data, report) if plan.sketches else ()),
         *_costs(plan, report),
         *_long_shot(plan, report),
         "## What the numbers are",
         definitions([number for name in METRICS for number in ALL_METRICS[name].NUMBERS]),
+        *made_on(plan.tasks),
     ]  # fmt: skip
+
+
+def _pictures(plan, report):
+    blocks = ["## Pictures"]
+    for name, study in plan.studies.items():
+        one, other = pictures.neighbours(study, "ref")
+        blocks += [
+            f"A point of {TITLES[name]} should look in a neighbour as it does here. The slider "
+            "goes from a frame to its neighbour, moved back along its motion: first of frames "
+            "alone, then of frames that pull at each other.",
+            report.pair(f"{name}_alone", *one),
+            report.pair(f"{name}_coherent", *other),
+        ]
+    return blocks if len(blocks) > 1 else []
 
 
 def _preface(plan, missing):
@@ -65,7 +94,7 @@ def _preface(plan, missing):
         "number about coherence: its claims are judged by numbers of ours, and goals are ours. "
         "Every error stands between a floor, the renderings themselves, and a ceiling, frames "
         "stylized alone. "
-        f"{_effort(plan.preset)} {left_out} Made on:\n\n{made_on(plan.tasks)}"
+        f"{_effort(plan.preset)} {left_out}".strip()
     )
 
 

@@ -118,6 +118,28 @@ def steps_of(frames, is_grid):
     return [*order, *order[-2:0:-1]]
 
 
+def neighbours(study, method):
+    """A frame, and its neighbour moved back along its motion: alone, then as it is judged.
+
+    Parameters
+    ----------
+    study : Study
+        Its runs must be stored.
+    method : str
+
+    Returns
+    -------
+    list of ((str, (H, W, n) uint8), (str, (H, W, n) uint8))
+    """
+    to, other = _pair(study)
+    y, x, seen = landing(study.frames.edges[to, other])
+    found = []
+    for name, images in list(_pictures(study, method).items())[1:3]:
+        back = np.where(seen[..., None], images[other][y, x], images[to])
+        found.append(((f"{name}: frame {to}", images[to]), (f"frame {other}, moved back", back)))
+    return found
+
+
 def _pictures(study, method):
     """Images by what they are called: the renderings, alone, and the settings that are judged."""
     return {

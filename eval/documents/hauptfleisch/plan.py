@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
-from eval.documents.hauptfleisch import architecture, turned
+from eval.documents.hauptfleisch import angles, architecture, between, failures, turned
 from eval.documents.hauptfleisch.costs import Costs
 from eval.documents.hauptfleisch.goals import GOALS
 from eval.documents.hauptfleisch.long_shot import LongShot
@@ -130,6 +130,20 @@ class Plan:
         return self.preset.sketches if "house" in self.studies else ()
 
     @property
+    def between(self):
+        """The run of views between views, or None."""
+        method = between.method(self.data)
+        if "house" not in self.studies or method is None:
+            return None
+        return Job(self.studies["house"].frames, method)
+
+    @property
+    def of_angles(self):
+        """The sketch that is seen from all sides, or None."""
+        first = next(iter(self.sketches), None)
+        return first if first and angles.is_rendered(self.data, first) else None
+
+    @property
     def costed(self):
         """Studies and methods whose times are measured in turns."""
         return [each for each in self.preset.costed if each[0] in self.studies]
@@ -144,10 +158,14 @@ class Plan:
             tasks |= {job.file_name: Task(job, METRICS) for job in jobs}
         tasks |= {task.job.file_name: task for task in architecture.tasks(self.data, self.sketches)}
         if self.sketches:
-            hatched = turned.tasks(self.data, self.preset.methods["ref"])
-            tasks |= {task.job.file_name: task for task in hatched}
+            others = [
+                *turned.tasks(self.data, self.preset.methods["ref"]),
+                *failures.tasks(self.data),
+                *(angles.tasks(self.data, self.of_angles) if self.of_angles else ()),
+            ]
+            tasks |= {task.job.file_name: task for task in others}
         others = [self.costs(*each) for each in self.costed]
-        others += [] if self.long_shot is None else [self.long_shot]
+        others += [job for job in (self.long_shot, self.between) if job is not None]
         if self.thesis_size is not None:
             others.append(architecture.job(self.thesis_size, self.sketches[0], "architecture"))
         return [*tasks.values(), *(Task(job, ()) for job in others)]

@@ -7,13 +7,14 @@ import pandas as pd
 
 from data_gen.camera import GRID, HOUSE_SOURCE
 from data_gen.manifest import DataError, Manifest
-from eval.documents.hauptfleisch.architecture import SOURCE, Timed
+from eval.documents.hauptfleisch.architecture import SOURCE
 from eval.documents.hauptfleisch.goals import LEAST_GRADIENT
 from eval.documents.hauptfleisch.turned_copies import Turned, projected_direction
+from eval.methods.stylit_ref import StylitRef
 from eval.metrics import NUMBERS, definitions
 from eval.metrics.guide_fidelity import guide_error
 from eval.metrics.off_surface import DIRECTION, FACE
-from eval.pages.claims import HELD, Claim, verdict
+from eval.pages.claims import HELD, Claim, listed, verdict
 from eval.pages.figures import comparison
 from eval.read_frames import GUIDES
 from eval.runs.complete import Task
@@ -60,10 +61,10 @@ def runs(params):
 
     Returns
     -------
-    dict of str to Timed
+    dict of str to StylitRef
     """
     return {
-        ALONE: Timed(params),
+        ALONE: StylitRef(params),
         TOLD: Turned(params, weight=_WEIGHT),
         "copies, not told": Turned(params, angles=ANGLES, weight=0.0),
         TURNED: Turned(params, angles=ANGLES, weight=_WEIGHT),
@@ -196,8 +197,8 @@ def claim(numbers):
         and ours["sharpness"] >= LEAST_SHARP * mean.loc[[ALONE, TOLD], "sharpness"].max()
     )
     told = [
-        f"{NUMBERS[name].title} "
-        + ", ".join(NUMBERS[name].form.format(mean.loc[run, name]) for run in (ALONE, TOLD, TURNED))
+        f"{NUMBERS[name].title} of "
+        + listed([NUMBERS[name].form.format(mean.loc[run, name]) for run in (ALONE, TOLD, TURNED)])
         for name in ("off_surface", "crooked", "lost_lines", "guide_error", "sharpness")
     ]
     return Claim(
@@ -209,7 +210,7 @@ def claim(numbers):
         f"far off straight, at most {100 * MOST_LOST:g} in 100 more are lost, the error of guides "
         f"is at most {MOST_GUIDES:g} times and the sharpness at least {LEAST_SHARP:.2f} times "
         "that of the better of these two",
-        f"means of {len(by_view)} views, {ALONE}, {TOLD}, {TURNED}: {'; '.join(told)}",
+        f"in the mean of {len(by_view)} views, {ALONE}, {TOLD} and {TURNED} have " + listed(told),
     )
 
 

@@ -10,7 +10,7 @@ import numpy as np
 import pandas as pd
 from skimage.transform import rotate
 
-from eval.documents.hauptfleisch.architecture import Timed
+from eval.methods.stylit_ref import StylitRef
 from eval.metrics.off_surface import DIRECTION
 from stylit_ref.machine.code_digest import code_digest
 
@@ -106,7 +106,7 @@ def turned_back(nnf, angles, size):
 
 
 @dataclass(frozen=True)
-class Turned(Timed):
+class Turned(StylitRef):
     """Stylization from turned copies; the history tells the share of each copy.
 
     Attributes
@@ -144,7 +144,7 @@ class Turned(Timed):
             uniformity=self.params.uniformity / len(self.angles),
         )
         copies = with_turned_copies(scene, self.angles)
-        found = Timed(params).run(copies, seed, progress)
+        found = StylitRef(params).run(copies, seed, progress)
         height, width = scene.style.shape[:2]
         uses = np.bincount(found.nnf[..., 1].ravel() // width, minlength=len(self.angles))
         return replace(

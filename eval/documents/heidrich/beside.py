@@ -9,7 +9,7 @@ from eval.documents.heidrich.prototype import COMPARED, ROUNDS, InTurns, Prototy
 from eval.documents.heidrich.stage import STYLES
 from eval.documents.heidrich.tables import energy
 from eval.methods.realtime import Realtime
-from eval.pages.claims import Claim, verdict
+from eval.pages.claims import Claim, listed, verdict
 from eval.runs.complete import Task
 from eval.runs.job import Job
 from eval.runs.store import stored
@@ -73,20 +73,22 @@ class Beside:
                 "Frames take less time than the prototype's",
                 "ours",
                 verdict(all(times[preset] <= most for preset, most in MOST_TIME.items())),
-                " and ".join(f"{preset} at most {most:g}" for preset, most in MOST_TIME.items())
-                + " of its time at every size, packing included, in turns",
-                ", ".join(f"{preset}: at most {times[preset]:.2f}" for preset in MOST_TIME),
+                "a frame takes at most "
+                + listed([f"{most:g} of its time with {name}" for name, most in MOST_TIME.items()])
+                + ", at every size, packing included, in turns",
+                "it takes at most "
+                + listed([f"{times[name]:.2f} of it with {name}" for name in MOST_TIME]),
                 of_time=True,
             ),
             Claim(
                 "Energies are at most the prototype's",
                 "ours",
                 verdict(bool((energies["ratio"] <= 1).all())),
-                f"with {' and '.join(COMPARED)} in every style at every size, the mean over "
-                f"{SEEDS} seeds",
-                f"{(energies['ratio'] <= 1).sum()} of {len(energies)}; the worst is "
-                f"{worst['ratio']:.3f} times, {worst['preset']} in {worst['style']} at "
-                f"{worst['size']}",
+                f"they are so with {' and '.join(COMPARED)} in every style at every size, by the "
+                f"mean over {SEEDS} seeds",
+                f"{(energies['ratio'] <= 1).sum()} of {len(energies)} are; the worst is "
+                f"{worst['ratio']:.3f} times the prototype's, with {worst['preset']} in "
+                f"{worst['style']} at {worst['size']}",
             ),
         ]
 

@@ -187,7 +187,8 @@ class Busy:
                 f"in every trial frames beside {SPINNING} spinning programs take at most "
                 f"{MOST_SLOWER:g} times as long as with one thread, and all threads are used again "
                 f"within {MOST_SECONDS:g} s",
-                f"at most {slower:.2f} times, and {back:.2f} s",
+                f"they take at most {slower:.2f} times as long, and all threads are back after at "
+                f"most {back:.2f} s",
                 of_time=True,
             )
         ]

@@ -6,7 +6,7 @@ from eval.documents.heidrich.claims_of_time import claims_of_time
 from eval.documents.heidrich.outlook import TOLERATED
 from eval.documents.heidrich.plan import THESIS
 from eval.documents.heidrich.tables import energy, fewest, frame_times
-from eval.pages.claims import Claim, verdict
+from eval.pages.claims import Claim, by_case, listed, verdict
 
 
 def claims(plan, required):
@@ -42,7 +42,8 @@ def _light(required):
         "6.3",
         verdict(all(light[method] > light["Lit Sphere"] for method in THESIS)),
         "both methods keep more of the contrast of highlight and cast shadow (requirement 3)",
-        ", ".join(f"{method} {light[method]:.2f}" for method in ("Lit Sphere", *THESIS)),
+        "the share kept is "
+        + by_case({method: f"{light[method]:.2f}" for method in ("Lit Sphere", *THESIS)}),
     )
 
 
@@ -55,7 +56,8 @@ def _all_met(required):
         "1.1, 6",
         verdict(not any(missed.values())),
         "both methods pass all four thresholds, of which only the first is printed",
-        "; ".join(f"{method} misses {', '.join(m) or 'none'}" for method, m in missed.items()),
+        "missed are "
+        + by_case({method: listed(m) if m else "none" for method, m in missed.items()}),
     )
 
 
@@ -74,7 +76,8 @@ def _fewer_buffers(plan):
         verdict(all(names for *_, names in most.values())),
         f"the simple method's energy stays within {TOLERATED - 1:.0%} with a buffer left out, in "
         "every style that is studied",
-        "; ".join(f"{style}: without {names or 'none'}" for style, (*_, names) in most.items()),
+        "it does so without "
+        + by_case({style: names or "none" for style, (*_, names) in most.items()}),
     )
 
 
@@ -95,8 +98,8 @@ def _compromise(plan):
         verdict(hybrid <= min(ours) and times["hybrid"] <= simple),
         "with patches at the finest level and scales elsewhere energy is at most that of either "
         "method, and time at most that of the simple one",
-        f"energy {hybrid:.0f}, simple {ours[0]:.0f}, optimized {ours[1]:.0f}; "
-        f"{times['hybrid']:.1f} ms at {side}², simple {simple:.1f} ms, optimized "
-        f"{times['optimized']:.1f} ms",
+        f"its energy is {hybrid:.0f}, where simple has {ours[0]:.0f} and optimized {ours[1]:.0f}; "
+        f"it takes {times['hybrid']:.1f} ms at {side}², where simple takes {simple:.1f} ms and "
+        f"optimized {times['optimized']:.1f} ms",
         of_time=True,
     )

@@ -2,7 +2,7 @@
 
 from eval.documents.heidrich.tables import frame_times, hand_times
 from eval.flicker import LARGEST_RISE
-from eval.pages.claims import OPEN, Claim, verdict
+from eval.pages.claims import OPEN, Claim, listed, verdict
 from eval.runs.store import stored
 
 GOALS = {
@@ -43,9 +43,12 @@ def _waits(plan):
         "ours",
         verdict(all(median <= goal for median, goal in found.values())),
         "the median of every wait is at most its goal, on all threads of two or more processors",
-        "; ".join(
-            f"{preset} {kind} {side}²: {median:.1f} of {goal:g} ms"
-            for (preset, kind, side), (median, goal) in found.items()
+        "it is "
+        + listed(
+            [
+                f"{median:.1f} of {goal:g} ms for {preset} {kind} at {side}²"
+                for (preset, kind, side), (median, goal) in found.items()
+            ]
         ),
         of_time=True,
     )
@@ -60,7 +63,7 @@ def _optimized(plan):
         verdict(wall < OPTIMIZED_GOAL),
         f"a frame of the larger size takes less than {OPTIMIZED_GOAL:g} ms, on all threads of two "
         "or more processors",
-        f"{side}²: {wall:.1f} ms",
+        f"it takes {wall:.1f} ms at {side}²",
         of_time=True,
     )
 
@@ -80,7 +83,8 @@ def _calm(plan):
         cold, warm, kept = (rows.loc[way] for way in ("cold", "warm", "the first, kept"))
         held &= warm["flicker"] < cold["flicker"] and warm["holds"] and not kept["holds"]
         evidence.append(
-            f"{preset}: flicker {warm['flicker']:.2f} warm, {cold['flicker']:.2f} cold; energy "
-            f"{warm['rise']:.3f} times a cold one's; {kept['rise']:.3f} if the first frame is kept"
+            f"With {preset} warm frames flicker by {warm['flicker']:.2f} and cold ones by "
+            f"{cold['flicker']:.2f}; the energy is {warm['rise']:.3f} times a cold frame's, and "
+            f"{kept['rise']:.3f} times if the first frame is kept"
         )
-    return Claim(claim, "ours", verdict(bool(held)), rule, "; ".join(evidence))
+    return Claim(claim, "ours", verdict(bool(held)), rule, ". ".join(evidence))

@@ -8,7 +8,7 @@ from eval.documents.heidrich.reach import READINGS, reach
 from eval.documents.heidrich.tables import buffers, energy
 from eval.metrics import NUMBERS
 from eval.metrics.wrong_things import BACKGROUND, views_of
-from eval.pages.claims import OPEN, Claim, majority, verdict
+from eval.pages.claims import OPEN, Claim, by_case, listed, majority, verdict
 from eval.runs.store import numbers_of, stored
 
 
@@ -67,12 +67,10 @@ def _by_style(plan, name, methods, styles=STYLES):
 
 
 def _told(found, name, methods):
-    """Values by style as text."""
+    """Values by style as a sentence."""
     form = NUMBERS[name].form
-    values = "; ".join(
-        f"{style} {', '.join(form.format(value) for value in row)}" for style, row in found.items()
-    )
-    return f"{', '.join(methods)}: {values}"
+    values = {style: listed(list(map(form.format, row))) for style, row in found.items()}
+    return f"{listed(methods)} {'has' if len(methods) == 1 else 'have'} {by_case(values)}"
 
 
 def _reach():
@@ -82,9 +80,10 @@ def _reach():
         "4.2.3",
         verdict(max(three for three, _ in reached.values()) >= 27),
         "a pixel's three scales are means of 27 x 27 pixels, by either reading of what a scale is",
-        ", ".join(f"{three} x {three} pixels with {name}" for name, (three, _) in reached.items())
-        + "; equation 20 has D + 1 scales, four reads: "
-        + ", ".join(f"{four} x {four}" for _, four in reached.values()),
+        "they reach "
+        + listed([f"{three} x {three} pixels with {name}" for name, (three, _) in reached.items()])
+        + "; with the D + 1 scales of equation 20, which are four reads, it is "
+        + listed([f"{four} x {four}" for _, four in reached.values()]),
     )
 
 
@@ -109,7 +108,8 @@ def _schedule(plan, schedule, claim):
         "4.2.4",
         verdict(other >= 0.95 * printed),
         f"with {schedule} the simple method's energy is at most 5 % lower",
-        f"{other:.0f} and {printed:.0f}; μ from the finest level on: {mu}",
+        f"its energy is {other:.0f} so, and {printed:.0f} as printed; μ is {mu} from the finest "
+        "level on",
     )
 
 
@@ -123,9 +123,8 @@ def _early(plan):
         verdict(falls[0] == falls.max() and falls[0] > 0),
         "from one iteration a level to two the simple method's energy falls more than from two to "
         "four and from four to eight",
-        ", ".join(
-            f"{value:.0f} after {count}" for value, count in zip(found, ITERATIONS, strict=True)
-        ),
+        "the energy is "
+        + listed([f"{value:.0f} after {n}" for value, n in zip(found, ITERATIONS, strict=True)]),
     )
 
 
@@ -147,14 +146,14 @@ def _apart(plan):
         apart, alike = (_by_style(plan, f"energy_{w}", [method]) for w in ("apart", "alike"))
         ratios = [float(apart[style][0] / alike[style][0]) for style in STYLES]
         votes.append(min(ratios) > 1)
-        text.append(f"{method} {min(ratios):.2f} to {max(ratios):.2f} times")
+        text.append(f"{min(ratios):.2f} to {max(ratios):.2f} times as high with {method}")
     return Claim(
         "Artefacts lie where source and target differ",
         "6.2.1",
         verdict(all(votes)),
         "with both methods energy is higher where IDMASK or LIGHTMASK differ than elsewhere, "
         "in every style",
-        ", ".join(text),
+        f"there it is {listed(text)}",
     )
 
 
@@ -201,7 +200,7 @@ def _no_ground(plan):
         "6.2.2",
         verdict(max(colours) == 1),
         "all that is no object has one colour",
-        f"{max(colours)} colour",
+        f"it has {max(colours)} in the style that has most",
     )
 
 
@@ -225,7 +224,10 @@ def _full_alone(plan):
         verdict(all(a >= max(0.05, 2 * b) for a, b in shares.values())),
         "with both methods at least 5 % of the highlights' pixels come from the background, and "
         "twice as many as with all buffers",
-        ", ".join(f"{m}: {a:.1%}, all buffers {b:.1%}" for m, (a, b) in shares.items()),
+        "they are "
+        + listed(
+            [f"{a:.1%} with {m}, and {b:.1%} with all buffers" for m, (a, b) in shares.items()],
+        ),
     )
 
 
@@ -245,7 +247,8 @@ def _little_changes(plan):
         "6.3",
         verdict(max(ratios.values()) <= 1.25),
         "no buffer left out changes the picture by more than 1.25 times what another seed does",
-        ", ".join(f"{method}: at most {ratio:.2f} times" for method, ratio in ratios.items()),
+        "it changes at most "
+        + listed([f"{ratio:.2f} times as much with {method}" for method, ratio in ratios.items()]),
     )
 
 
@@ -257,7 +260,8 @@ def _most_changes(plan):
         "6.3",
         verdict(ranked.index[0] == "without LDE"),
         "no other buffer left out changes its picture more",
-        ", ".join(f"{name} {value:.2f}" for name, value in ranked.items()),
+        "the picture changes by "
+        + listed([f"{value:.2f} {name}" for name, value in ranked.items()]),
     )
 
 
@@ -314,8 +318,11 @@ def _hatching(plan):
         "6.4",
         verdict(bool((ratios["pen"] > others).all())),
         "with both methods energy over StyLit's is higher in pen than the other styles' mean",
-        ", ".join(
-            f"{method}: {pen:.2f} in pen, {other:.2f} elsewhere"
-            for method, pen, other in zip(THESIS, ratios["pen"], others, strict=True)
+        "it is "
+        + listed(
+            [
+                f"{pen:.2f} times StyLit's in pen and {other:.2f} times elsewhere with {method}"
+                for method, pen, other in zip(THESIS, ratios["pen"], others, strict=True)
+            ],
         ),
     )

@@ -5,7 +5,7 @@ import numpy as np
 from eval.documents.heidrich.plan import LEFT_OUT, THESIS
 from eval.documents.heidrich.printed import INTERACTIVE, REAL_TIME, milliseconds
 from eval.documents.heidrich.tables import frame_times
-from eval.pages.claims import OPEN, Claim, verdict
+from eval.pages.claims import OPEN, Claim, by_case, listed, verdict
 
 
 def claims_of_time(plan):
@@ -57,7 +57,7 @@ def _halves(plan):
         verdict(max(ratios.values()) <= 0.6),
         "a frame takes at most 0.6 of the time that it takes with both terms read, with both "
         "methods and at both sizes",
-        ", ".join(f"{name}: {ratio:.2f}" for name, ratio in ratios.items()),
+        f"it takes {by_case({name: f'{ratio:.2f}' for name, ratio in ratios.items()})}",
         of_time=True,
     )
 
@@ -73,7 +73,8 @@ def _saves(plan, saving):
         section,
         verdict(min(ratios.values()) > 1.05),
         "without it the optimized method takes at least 5 % longer at both sizes",
-        ", ".join(f"{ratio:.2f} times at {side}²" for side, ratio in ratios.items()),
+        "it takes "
+        + listed([f"{ratio:.2f} times as long at {side}²" for side, ratio in ratios.items()]),
         of_time=True,
     )
 
@@ -90,9 +91,12 @@ def _faster(plan):
         "6.1",
         verdict(min(ratios.values()) > 1.05),
         "the simple method takes at least 5 % longer at both sizes",
-        ", ".join(
-            f"{ratio:.2f} times at {side}² (printed {printed[side]:.2f})"
-            for side, ratio in ratios.items()
+        "it takes "
+        + listed(
+            [
+                f"{ratio:.2f} times as long at {side}², where the thesis has {printed[side]:.2f}"
+                for side, ratio in ratios.items()
+            ]
         ),
         of_time=True,
     )
@@ -105,7 +109,7 @@ def _real_time(plan):
         "6.1",
         verdict(min(rates.values()) > REAL_TIME),
         f"more than {REAL_TIME:g} frames a second, here on one core",
-        ", ".join(f"{rate:.1f} fps at {side}²" for side, rate in rates.items()),
+        "it makes " + listed([f"{rate:.1f} at {side}²" for side, rate in rates.items()]),
         of_time=True,
     )
 
@@ -118,7 +122,7 @@ def _interactive(plan):
         "6.1",
         verdict(INTERACTIVE <= rate <= REAL_TIME),
         f"{INTERACTIVE:g} to {REAL_TIME:g} frames a second, here on one core",
-        f"{rate:.1f} fps at {side}²",
+        f"it makes {rate:.1f} at {side}²",
         of_time=True,
     )
 
@@ -154,8 +158,8 @@ def _resolution(plan):
         verdict(pixels["simple"] > width and pixels["optimized"] > depth),
         "time grows with a higher power of the number of pixels than of w² (simple) and of D "
         "(optimized)",
-        f"simple: pixels^{pixels['simple']:.2f}, (w²)^{width:.2f}; optimized: "
-        f"pixels^{pixels['optimized']:.2f}, D^{depth:.2f}",
+        f"the simple method's grows as pixels^{pixels['simple']:.2f} and (w²)^{width:.2f}, the "
+        f"optimized one's as pixels^{pixels['optimized']:.2f} and D^{depth:.2f}",
         of_time=True,
     )
 
@@ -169,7 +173,8 @@ def _scales(plan):
         "6.1",
         verdict(growth["simple"] > 1.05 * growth["optimized"]),
         "from the smaller to the larger size its time grows by a factor at least 5 % larger",
-        ", ".join(f"{m}: {growth[m]:.2f} times (printed {printed[m]:.2f})" for m in THESIS),
+        "it grows "
+        + listed([f"{growth[m]:.2f} times with {m} (printed: {printed[m]:.2f})" for m in THESIS]),
         of_time=True,
     )
 
@@ -181,7 +186,8 @@ def _square(plan):
         "6.1",
         verdict(min(exponents.values()) >= 0.5),
         "the simple method's time grows at least with the root of w² at both sizes",
-        ", ".join(f"(w²)^{value:.2f} at {side}²" for side, value in exponents.items())
+        "it grows as "
+        + listed([f"(w²)^{value:.2f} at {side}²" for side, value in exponents.items()])
         + "; the grid thins as w grows: its entries lie (w + 1) / 2 apart, so that w² pixels are "
         "compared at 4 / (w + 1)² of all places",
         of_time=True,
@@ -195,6 +201,6 @@ def _linear(plan):
         "6.1",
         verdict(max(exponents.values()) <= 1.1) if exponents else OPEN,
         "its time grows at most with the power 1.1 of D at both sizes",
-        ", ".join(f"D^{value:.2f} at {side}²" for side, value in exponents.items()),
+        "it grows as " + listed([f"D^{value:.2f} at {side}²" for side, value in exponents.items()]),
         of_time=True,
     )

@@ -6,11 +6,11 @@ from typing import NamedTuple
 
 import pandas as pd
 
-from eval.documents.heidrich.dense import Dense
 from eval.documents.heidrich.fault_crops import crops_of
 from eval.documents.heidrich.frame_times import FrameTimes
 from eval.documents.heidrich.tables import frame_times
 from eval.methods.realtime import Realtime
+from eval.methods.stylit_ref import StylitRef
 from eval.metrics import NUMBERS, definitions
 from eval.pages.figures import contact_sheet
 from eval.runs.complete import Task
@@ -116,7 +116,7 @@ class Faults:
 
     def picture(self, style, side, name):
         """A run of one of :data:`VARIANTS`, or of the dense method."""
-        return Job(self.scene(style, side), Dense() if name == DENSE else variant(name))
+        return Job(self.scene(style, side), StylitRef() if name == DENSE else variant(name))
 
     def times(self, side):
         """The run in which the variants take turns."""

@@ -228,8 +228,8 @@ class House:
                 f"rank correlation of the nearest pairs is at least {LEAST_NEAREST}, packing takes "
                 f"at most {MOST_MILLISECONDS:g} ms for 500 x 500 pixels, and energy is at most "
                 f"{MOST_ENERGY:g} times that of all channels",
-                f"{ours['nearest']:.3f}; {milliseconds:.2f} ms; "
-                f"{ours['energy'] / every['energy']:.3f} times",
+                f"the correlation is {ours['nearest']:.3f}, packing takes {milliseconds:.2f} ms, "
+                f"and energy is {ours['energy'] / every['energy']:.3f} times that of all channels",
                 of_time=True,
             )
         ]

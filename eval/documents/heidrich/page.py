@@ -10,8 +10,9 @@ from eval.documents.heidrich.plan import ROUNDS_OF_A_HAND
 from eval.documents.heidrich.requirements import DEFINITION, requirements
 from eval.documents.heidrich.stage import GUIDES, STYLES
 from eval.metrics import definitions
-from eval.pages.claims import claims_section
+from eval.pages.claims import claims_section, verdict_section
 from eval.pages.document import Document, made_on
+from eval.runs.store import stored
 from stylit_ref.machine.code_digest import code_digest
 
 _CODE = code_digest(__file__)
@@ -34,19 +35,38 @@ def document(plan):
 
 def _sections(plan, report):
     required = requirements(plan)
+    found = claims(plan, required)
     return [
         _preface(plan),
-        *claims_section("What the thesis says, and what we found", claims(plan, required), report),
+        *verdict_section(found),
+        *_pictures(plan, report),
+        *_figures(plan, report),
+        *claims_section("What the thesis says, and what we found", found, report),
         *_requirements(required, report),
         *_times(plan, report),
         *_quality(plan, report),
         *_large(plan, report),
-        *_figures(plan, report),
         *_choices(plan, report),
         *(block for aside in plan.asides for block in aside.sections(report)),
         Path(__file__).with_name("left_open.md").read_text("utf-8"),
         "## What the numbers are",
         definitions((*tables.SHOWN, "background")),
+        *made_on(plan.tasks),
+    ]
+
+
+def _pictures(plan, report):
+    style = plan.preset.studied[0]
+
+    def image(name):
+        return name, stored(plan.picture(style, name)).image
+
+    return [
+        "## Pictures",
+        f"What is lost for speed, in {style}: StyLit beside the thesis' optimized method.",
+        report.pair("speed", image("StyLit"), image("optimized")),
+        "The same beside our preset `best`, which is as fast:",
+        report.pair("products", image("StyLit"), image("best")),
     ]
 
 
@@ -68,7 +88,7 @@ def _preface(plan):
         "EV, `optimized` its OV (L = 6, two iterations, w = 5, D = 3); `quick`, `best` are ours; "
         f"`ref` and `StyLit` match every pixel and are guided by {', '.join(GUIDES)}. What is "
         "studied alone, by default in one style, is "
-        f"so in {', '.join(plan.preset.studied)}.{note} Made on:\n\n{made_on(plan.tasks)}"
+        f"so in {', '.join(plan.preset.studied)}.{note}"
     )
 
 
@@ -165,7 +185,7 @@ def _figures(plan, report):
         return report.figure(name, caption, draw, *arguments, plan, committed=True)
 
     return [
-        "## Figures",
+        "## Figures of the thesis",
         "### The optimized method (21)",
         figure("optimized", "the optimized method", pictures.method_figure, "optimized"),
         "### The simple method (22)",

@@ -6,7 +6,6 @@ from functools import cache, cached_property
 from itertools import chain, combinations
 from typing import Any
 
-from eval.documents.heidrich.dense import Dense
 from eval.documents.heidrich.frame_times import FrameTimes
 from eval.documents.heidrich.hand_times import HandTimes
 from eval.documents.heidrich.outlook import FewestBuffers, Hybrid
@@ -14,6 +13,7 @@ from eval.documents.heidrich.stage import STYLES
 from eval.methods.lit_sphere import LitSphere
 from eval.methods.realtime import Realtime
 from eval.methods.styleblit import StyleBlit
+from eval.methods.stylit_ref import StylitRef
 from eval.runs.complete import Task
 from eval.runs.job import Job
 from eval.scenes import Scene
@@ -137,7 +137,7 @@ class Plan:
     def picture(self, style, name, seed=0):
         """A run of one of :data:`METHODS`."""
         if name in DENSE:
-            return Job(self.scene(style), Dense(DENSE[name]), seed)
+            return Job(self.scene(style), StylitRef(DENSE[name]), seed)
         if name in RIVALS:
             return Job(self.scene(style), RIVALS[name], seed)
         return self._realtime(style, name, name, seed=seed)

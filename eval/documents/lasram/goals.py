@@ -4,7 +4,7 @@ import pandas as pd
 
 from eval.documents.lasram.cut_quality import cut_quality
 from eval.documents.lasram.tables import BORDERS, beside_quilting
-from eval.pages.claims import OPEN, Claim, verdict
+from eval.pages.claims import OPEN, Claim, by_case, listed, verdict
 from eval.runs.store import numbers_of
 
 _FLOWERS = {"seam_cost": 0.005, "sw": 1.7, "largest_piece": 4000}
@@ -44,8 +44,9 @@ def _second_pass(plan):
         "wherever patches are laid and however cuts are weighed, it is on the mean within 1.2 % of "
         "the optimum and first in 95 %; without a second pass the best 95 % are within 3 % with E "
         "zero",
-        f"at worst {worst:.2%} off, first in {two['ranked first'].min():.1%}; without it "
-        f"{one['best 95 %, mean'].max():.3f}",
+        f"at worst it is {worst:.2%} off the optimum, and first in "
+        f"{two['ranked first'].min():.1%}; without it the best 95 % cost "
+        f"{one['best 95 %, mean'].max():.3f} times the optimum",
     )
 
 
@@ -63,7 +64,7 @@ def _flowers(plan):
     worst = pd.DataFrame([numbers_of(job) for job in jobs])[list(_FLOWERS)].max()
     return claim._replace(
         verdict=verdict(all(worst[name] <= most for name, most in _FLOWERS.items())),
-        evidence="at worst " + ", ".join(f"{name} {worst[name]:.4g}" for name in _FLOWERS),
+        evidence="at worst " + listed([f"{name} is {worst[name]:.4g}" for name in _FLOWERS]),
     )
 
 
@@ -74,7 +75,7 @@ def _tiles(quality):
         "3",
         verdict(ours.between(*BORDERS).all()),
         "with our defaults the border is between 0.5 and 1.5 on all exemplars",
-        ", ".join(f"{name} {value:.2f}" for name, value in ours.items()),
+        f"the border is {by_case({name: f'{value:.2f}' for name, value in ours.items()})}",
     )
 
 
@@ -88,5 +89,6 @@ def _beside_quilting(quality):
         verdict(wins >= len(table) * 2 / 3 and ratios.max() <= 1.5),
         "with our defaults sw is at most image quilting's on two thirds of the exemplars and at "
         "most 1.5 times it elsewhere",
-        f"at most on {wins} of {len(table)}, {ratios.max():.2f} times at worst",
+        f"it is at most quilting's on {wins} of {len(table)}, and {ratios.max():.2f} times it at "
+        "worst",
     )

@@ -138,7 +138,7 @@ class Plan:
 
     def large_radius(self, exemplar):
         """Figure 16."""
-        return self.paper(exemplar, "R = 128", radius=128)
+        return self._quiet(exemplar, "R = 128", None, radius=128)
 
     def pixels(self, exemplar, label):
         """The pixel-based rival of figure 16; ``label`` is one of :data:`JITTERS`."""

@@ -55,10 +55,11 @@ def test_every_table_and_figure_is_there(folder):
     )  # fmt: skip
     expected = {name.format(target) for name in per_target for target in printed.TARGETS}
     expected |= {"trends.webp", "energy.webp", "background.webp", "pyramid.webp"}
+    expected |= {f"{pair}_{k}.webp" for pair in ("washed_out", "guide_maps") for k in (1, 2)}
     expected |= {"claims.csv", "errata.csv", "shared_memory.csv", "shared_memory_ptx.csv"}
     assert written == expected | {"report.md", "report.html", "report.json"}
     text = (folder / "report" / "report.md").read_text(encoding="utf-8")
-    assert expected == set(re.findall(r"\(([a-z_]+\.(?:webp|csv))\)", text))
+    assert expected == set(re.findall(r"\(([a-z_0-9]+\.(?:webp|csv))\)", text))
     for number in (*range(41, 48), *range(52, 59)):
         assert f"({number / 10})" in text
     page = (folder / "report" / "report.html").read_text(encoding="utf-8")

@@ -13,7 +13,7 @@ from eval.documents.hauptfleisch.architecture import (
     claims,
     shown_table,
 )
-from eval.pages.claims import HELD, NOT_HELD
+from eval.pages.claims import HELD, NOT_HELD, OPEN
 from eval.read_frames import GUIDES
 from stylit_ref import InputError, write_image
 
@@ -22,7 +22,8 @@ def test_each_run_lacks_one_choice():
     guides, params = RUNS["architecture"]
     assert guides == GUIDES
     changes = []
-    for other_guides, other in list(RUNS.values())[1:5]:
+    for name in ("the wireframe", "the share of 0.9", "α", "t"):
+        other_guides, other = RUNS[f"without {name}"]
         differing = [n for n, value in asdict(params).items() if asdict(other)[n] != value]
         changes.append([*differing, *(set(guides) - set(other_guides))])
     assert changes == [["WIREFRAME"], ["budget"], ["error_limit"], ["vote_outliers"]]
@@ -51,17 +52,28 @@ def numbers():
 
 
 def test_a_choice_must_help_in_more_than_half_of_the_sketches(numbers):
-    assert [claim.verdict for claim in claims(numbers)] == 4 * [NOT_HELD]
-    helped = claims(numbers[numbers["style"] == "a"])
+    assert [claim.verdict for claim in claims(numbers)[1:5]] == 4 * [NOT_HELD]
+    helped = claims(numbers[numbers["style"] == "a"])[1:5]
     assert [claim.verdict for claim in helped] == 4 * [HELD]
-    assert helped[0].evidence == "a: 1.00 with it, 2.00 without"
+    assert helped[0].evidence == "with it and without it, it is 1.00 and 2.00 for a"
+
+
+def test_unmodified_stylit_must_be_worse_in_every_sketch_that_shows_it(numbers):
+    assert claims(numbers[numbers["style"] != "b"])[0].verdict == HELD
+    assert claims(numbers)[0].verdict == NOT_HELD
+    assert claims(numbers[numbers["style"] == "c"])[0].verdict == OPEN
+
+
+def test_lines_are_bent_if_they_lie_farther_off_than_the_paintings(numbers):
+    assert claims(numbers[numbers["style"] == "b"])[-1].verdict == HELD
+    assert claims(numbers)[-1].verdict == NOT_HELD
 
 
 def test_sketches_without_blank_paper_have_no_noise(numbers):
     text = shown_table(numbers)
     assert text["noise on white"].tolist()[-1] == ""
     assert text["noise on white"].tolist()[0] == "3.0"
-    assert "c:" not in claims(numbers)[2].evidence
+    assert "c" not in claims(numbers)[3].evidence.rpartition(" for ")[2]
 
 
 def test_a_scene_keeps_the_edges_of_the_model_if_no_guide_has_them(tmp_path):

@@ -6,7 +6,16 @@ import numpy as np
 import pytest
 
 from eval.outcome import Outcome
-from eval.pages.claims import HELD, NOT_HELD, OPEN, Claim, claims_section, majority
+from eval.pages.claims import (
+    HELD,
+    NOT_HELD,
+    OPEN,
+    Claim,
+    by_case,
+    claims_section,
+    majority,
+    verdict_section,
+)
 from eval.pages.document import Document, made_on, make_document
 from eval.runs.complete import Task
 from eval.runs.job import Job
@@ -35,7 +44,7 @@ def elsewhere(tmp_path, monkeypatch):
 def document(*methods, inputs=()):
     texture = load_texture("bricks", (8, 8))
     tasks = [Task(Job(texture, method), ("usage",)) for method in methods]
-    return Document("Grey", tasks, lambda report: [made_on(tasks)], list(inputs))
+    return Document("Grey", tasks, lambda report: made_on(tasks), list(inputs))
 
 
 def test_a_page_is_written_again_only_if_something_changed(tmp_path, capsys):
@@ -63,6 +72,23 @@ def test_a_tie_does_not_hold():
     assert majority([True, False, True]) == HELD
 
 
+def test_verdicts_are_counted_and_listed():
+    claims = [Claim(name, "3", each, "", "") for name, each in (("a", HELD), ("b", OPEN))]
+    title, counts, table = verdict_section(claims)
+    assert title == "## Verdicts"
+    assert counts.startswith("Of 2 claims 1 held and 0 did not; 1 cannot be judged here.")
+    assert [line.split("|")[1:4] for line in table.replace(" ", "").splitlines()[2:]] == [
+        ["1", "a", "held"],
+        ["2", "b", "cannotbejudgedhere"],
+    ]
+
+
+def test_equal_figures_are_told_once():
+    assert by_case({"a": "3"}) == "3 for a"
+    assert by_case({"a": "3", "b": "4", "c": "3"}) == "3 for a and c, and 4 for b"
+    assert by_case(dict(zip("abc", "345", strict=True))) == "3 for a; 4 for b, and 5 for c"
+
+
 def test_a_claim_shows_its_rule_and_figures_and_its_table_has_no_flags():
     tables = {}
 
@@ -75,6 +101,7 @@ def test_a_claim_shows_its_rule_and_figures_and_its_table_has_no_flags():
     title, text, _ = claims_section("Claims", [claim], Report())
     assert title == "## Claims"
     assert text == (
-        "- **It is grey** (3): **cannot be judged here**. nothing was seen. *Held if all is grey.*"
+        "1. **It is grey** (3): **cannot be judged here**. Nothing was seen. *It counts as held if "
+        "all is grey.*"
     )
     assert tables == {"claims": ["claim", "section", "verdict", "rule", "evidence"]}

@@ -4,14 +4,14 @@ import pandas as pd
 import pytest
 from small_run import cameras_of_grid, write_run
 
+from eval import between_views
 from eval.__main__ import main
-from eval.reports import interpolation
 
 GRID = {"cameras": cameras_of_grid((-10, 0, 10), (10, 15, 20)), "grid": (3, 3)}
 
 
 def test_every_mode_is_measured(tmp_path, monkeypatch):
-    monkeypatch.setattr(interpolation, "STEP", 2.0)
+    monkeypatch.setattr(between_views, "STEP", 2.0)
     run = write_run(tmp_path / "run", **GRID)
     out = tmp_path / "report"
     code = main(["interpolation", "--run", str(run.folder), "--output", str(out)])

@@ -9,7 +9,7 @@ from PIL import Image
 
 from eval.pages.figures import contact_sheet
 from eval.pages.page import BUILT, new_report
-from eval.reports.publish import MOST_BYTES, publish
+from eval.reports.publish import MOST_BYTES, MOST_OF_COPY, publish, small_figures
 from stylit_ref import InputError
 
 ROOT = Path(__file__).parents[3]
@@ -75,6 +75,20 @@ def test_only_what_a_report_chooses_is_committed_and_it_is_small(built, tmp_path
     with Image.open(built / "large.webp") as whole, Image.open(copy / "large.webp") as small:
         shape = whole.height / whole.width
         assert small.height / small.width == pytest.approx(shape, rel=0.01)
+
+
+@pytest.mark.slow
+def test_the_largest_figures_give_way_if_all_are_too_many_bytes(built):
+    files = [built / "small.webp", built / "large.webp"]
+    small = files[0].stat().st_size
+    found = small_figures(files, small + 100_000)
+    assert found["small.webp"] == files[0].read_bytes()
+    assert 50_000 < len(found["large.webp"]) <= 100_000
+
+
+@pytest.mark.parametrize("document", MOST_OF_COPY)
+def test_the_committed_copy_of_a_document_is_within_its_bounds(document):
+    assert 0 < sum(committed(f"reports/{document}_*").values()) <= MOST_OF_COPY[document]
 
 
 @pytest.mark.slow

@@ -1,0 +1,68 @@
+"""The front page of all reports, and what happens if one of them cannot be made."""
+
+from types import SimpleNamespace
+
+import pandas as pd
+import pytest
+
+from eval.__main__ import main
+from eval.pages.claims import HELD, NOT_HELD, OPEN
+from eval.pages.page import BUILT, new_report
+from eval.reports import documents
+from stylit_ref import InputError
+
+
+def report_of(name, verdicts):
+    """A module of a report whose claims have these verdicts; without any, it cannot be made."""
+
+    def make(options):
+        if not verdicts:
+            raise InputError(f"{name}: is not rendered")
+        folder = BUILT / documents.PARTS[name].folder
+        with new_report(folder, name, begun=0.0) as report:
+            report.csv("claims", pd.DataFrame({"verdict": verdicts}))
+        return 1 if name == "lasram" else 0
+
+    return SimpleNamespace(add_options=lambda parser: parser.add_argument("--seeds"), main=make)
+
+
+@pytest.fixture
+def made(tmp_path, monkeypatch, capsys):
+    """The exit code, and what was said, if a run of one report failed and another is left out."""
+    monkeypatch.chdir(tmp_path)
+    parts = {
+        name: documents.PARTS[name]._replace(options=())
+        for name in ("lasram", "heidrich", "dzurenko")
+    }
+    monkeypatch.setattr(documents, "PARTS", parts)
+    modules = {
+        "eval.documents.lasram.report": report_of("lasram", [HELD, HELD, OPEN]),
+        "eval.documents.heidrich.report": report_of("heidrich", []),
+        "eval.documents.dzurenko.report": report_of("dzurenko", [NOT_HELD]),
+    }
+    monkeypatch.setattr(documents, "import_module", modules.get)
+    return main([]), capsys.readouterr().err
+
+
+def rows_of(text):
+    lines = [line.strip("|").split("|") for line in text.splitlines() if line.startswith("| [")]
+    return {cells[0].strip(): [cell.strip() for cell in cells[2:5]] for cells in lines}
+
+
+def test_verdicts_are_counted_and_each_report_is_linked(made):
+    text = (BUILT / "documents" / "report.md").read_text(encoding="utf-8")
+    assert rows_of(text) == {
+        "[Lasram and Lefebvre 2012](../lasram_quick/report.html)": ["2", "0", "1"],
+        "[Dzurenko 2017](../quick_golem_hand_teapot/report.html)": ["0", "1", "0"],
+    }
+
+
+def test_what_cannot_be_made_is_said_in_a_sentence_and_the_others_are_made(made):
+    assert "eval: heidrich is left out: heidrich: is not rendered" in made[1]
+    text = (BUILT / "documents" / "report.md").read_text(encoding="utf-8")
+    assert "Heidrich 2017 is left out: heidrich: is not rendered." in text
+    assert (BUILT / "quick_golem_hand_teapot" / "claims.csv").exists()
+
+
+def test_a_failed_run_of_one_report_decides_the_exit_code(made):
+    assert made[0] == 1
