@@ -2,10 +2,13 @@
 
 import inspect
 import logging
+from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from contextvars import ContextVar
-from functools import wraps
+from functools import partial, wraps
+from itertools import accumulate
+from operator import attrgetter
 from pathlib import Path
 from typing import NamedTuple, ParamSpec
 
@@ -15,16 +18,14 @@ from numba.core.dispatcher import Dispatcher
 from stylit_ref.machine.forks import survive_forks
 from stylit_ref.machine.interruption import heed_waiting
 from stylit_ref.machine.kernel_cache import KernelCache
+from stylit_ref.machine.parallel_loops import KernelCompiler
+from stylit_ref.machine.parts import PartCompiler
+from stylit_ref.machine.shared_work import share
 from stylit_ref.notes import note
 
 survive_forks()  # here, since every kernel comes from here
 
 Arguments = ParamSpec("Arguments")
-
-# Only loops that say prange run in parallel: no array expression is worth a loop of its own.
-_PRANGE_ALONE = dict.fromkeys(
-    ("comprehension", "reduction", "inplace_binop", "setitem", "numpy", "stencil", "fusion"), False
-) | {"prange": True}
 
 
 class Specialization(NamedTuple):
@@ -53,6 +54,22 @@ class Specialization(NamedTuple):
         cache = self.dispatcher._cache
         return Path(cache.cache_path) if isinstance(cache, KernelCache) else None
 
+    @property
+    def size(self) -> int:
+        """Bytes of its function's code, by which one can guess how long it takes to compile."""
+        return len(self.dispatcher.py_func.__code__.co_code)
+
+    def compile(self) -> None:
+        """Compile it, and keep it on disk.
+
+        Raises
+        ------
+        KeyboardInterrupt
+            Afterwards, if it came meanwhile.
+        """
+        self.dispatcher.compile(self.types)
+        heed_waiting()
+
 
 def compile_missing(
     kernels: Iterable[Specialization], progress: Callable[[int, int], None] | None = None
@@ -77,12 +94,34 @@ def compile_missing(
             "NUMBA_CACHE_DIR to one that can",
             level=logging.WARNING,
         )
+    elif len(missing) > 1:
+        _share(missing, progress)
     for number, each in enumerate(missing, 1):
-        if progress:
-            progress(number, len(missing))
-        each.dispatcher.compile(each.types)
-        heed_waiting()
+        if not each.is_compiled:
+            if progress:
+                progress(number, len(missing))
+            each.compile()
     return len(missing)
+
+
+def _share(kernels, progress):
+    """Compile kernels in several processes, those that take longest first, and keep them on disk.
+
+    Kernels of one function share an index on the disk, so one process compiles them.
+    """
+    families = defaultdict(list)
+    for each in sorted(kernels, key=attrgetter("size"), reverse=True):
+        families[each.dispatcher].append(each)
+    first = [0, *accumulate(map(len, families.values()))]
+
+    def compile_all(family):
+        for each in family:
+            each.compile()
+
+    share(
+        [partial(compile_all, family) for family in families.values()],
+        lambda number: progress and progress(first[number] + 1, len(kernels)),
+    )
 
 
 _REHEARSED: ContextVar[dict[Specialization, None] | None] = ContextVar("rehearsed", default=None)
@@ -129,7 +168,10 @@ def kernel(
 
     def decorate(function):
         dispatcher = njit(
-            parallel=_PRANGE_ALONE if parallel else False, error_model="numpy", nogil=nogil
+            pipeline_class=KernelCompiler if parallel else PartCompiler,
+            error_model="numpy",
+            nogil=nogil,
+            no_cfunc_wrapper=True,
         )(function)
         with suppress(RuntimeError):  # no folder can be written, so every process compiles
             dispatcher._cache = KernelCache(function, constants)
