@@ -15,9 +15,8 @@ PARTS = {
     "server": "the server",
     "background": "its process in the background",
     "page": "the page",
-    "heap": "the page's program",
 }
-"""What is looked at, in words."""
+"""What must not grow, in words."""
 
 _LEAST_ROWS = 3
 
@@ -171,7 +170,7 @@ def memory(browser, server, page, minutes, rng, tell=print):
             "minute {:.1f}: {} deeds; server {:.0f} MiB, background {:.0f} MiB, page {:.0f} MiB, "
             "of which its program {:.1f} MiB".format(*rows[-1])
         )
-    return pd.DataFrame(rows, columns=["minute", "deeds", *PARTS])
+    return pd.DataFrame(rows, columns=["minute", "deeds", *PARTS, "heap"])
 
 
 def growth(frame, part, early=EARLY, late=LATE):

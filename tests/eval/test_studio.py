@@ -90,7 +90,7 @@ def test_memory_stays_while_somebody_paints(tmp_path):
         browser = Browser(chromium)
         frame = memory(browser, server, page, MINUTES, np.random.default_rng(0))
     first, last = frame["minute"].iloc[[0, -1]]
-    grown = {part: growth(frame, part, first, last) for part in PARTS}
+    grown = {part: growth(frame, part, first, last) for part in (*PARTS, "heap")}
     assert len(frame) >= 3
     assert frame["deeds"].min() > 0
     assert grown["heap"] < 0.5

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
 from stylit_ref.files.field import Field
+from stylit_ref.machine.memory import return_free_memory
 from stylit_ref.realtime.packing import Packing
 from stylit_ref.realtime.params import RealtimeParams
 from stylit_ref.studio.engine.dense_work import (
@@ -168,6 +169,8 @@ class Background:
             answer = self._tried(partial(self._answer, wish, number)) or Failed(
                 "the process in the background ended twice; try again"
             )
+        if isinstance(answer, _Answered):  # so the painter pauses
+            return_free_memory()
         self._report(wish, number, answer or Stopped())
 
     def _tried(self, ask):
