@@ -2,12 +2,10 @@
 
 import inspect
 import logging
-from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from contextvars import ContextVar
-from functools import partial, wraps
-from itertools import accumulate
+from functools import wraps
 from operator import attrgetter
 from pathlib import Path
 from typing import NamedTuple, ParamSpec
@@ -105,22 +103,11 @@ def compile_missing(
 
 
 def _share(kernels, progress):
-    """Compile kernels in several processes, those that take longest first, and keep them on disk.
-
-    Kernels of one function share an index on the disk, so one process compiles them.
-    """
-    families = defaultdict(list)
-    for each in sorted(kernels, key=attrgetter("size"), reverse=True):
-        families[each.dispatcher].append(each)
-    first = [0, *accumulate(map(len, families.values()))]
-
-    def compile_all(family):
-        for each in family:
-            each.compile()
-
+    """Compile kernels in several processes, those that take longest first; they lie on the disk."""
+    ordered = sorted(kernels, key=attrgetter("size"), reverse=True)
     share(
-        [partial(compile_all, family) for family in families.values()],
-        lambda number: progress and progress(first[number] + 1, len(kernels)),
+        [each.compile for each in ordered],
+        lambda number: progress and progress(number + 1, len(ordered)),
     )
 
 

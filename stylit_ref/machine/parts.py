@@ -9,6 +9,7 @@ function that a program calls by itself is compiled by Numba as ever.
 from typing import Any
 from weakref import WeakKeyDictionary
 
+from llvmlite.binding import Linkage
 from numba import types
 from numba.core import ir
 from numba.core.codegen import JITCodeLibrary
@@ -29,6 +30,17 @@ class KernelLibrary(JITCodeLibrary):
 
     def _optimize_functions(self, ll_module):
         ll_module.data_layout = self._codegen._data_layout
+
+    def _optimize_final_module(self):
+        """Keep all parts to the kernel.
+
+        Numba tells functions of one name apart by numbers that begin anew in every process. A
+        kernel from the disk would else call the part of another one, if two processes made them.
+        """
+        for function in self._final_module.functions:
+            if function.linkage == Linkage.linkonce_odr:
+                function.linkage = Linkage.internal
+        super()._optimize_final_module()
 
 
 class PartLibrary(KernelLibrary):

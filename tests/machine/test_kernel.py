@@ -51,6 +51,15 @@ def test_constants_tell_kernels_apart(cache_folder):
     assert {file: file.read_bytes() for file in before} == before
 
 
+def test_kernels_for_other_types_have_files_of_their_own(cache_folder):
+    store = make_kernel(1)
+    store(np.zeros(1, np.int64))
+    before = {file: file.read_bytes() for file in cache_folder.rglob("*.nb?")}
+    store(np.zeros(1, np.float64))
+    assert len(list(cache_folder.rglob("*.nb?"))) == 2 * len(before) == 4
+    assert {file: file.read_bytes() for file in before} == before
+
+
 def test_nowhere_to_write(monkeypatch):
     def nowhere(function):
         raise RuntimeError("no locator available")
