@@ -14,6 +14,9 @@ from stylit_ref.views.interpolation.view_interpolator import MODES, ViewInterpol
 STEP = 0.25
 """Degrees from frame to frame of a path."""
 
+ROUNDS = 3
+"""A busy machine disturbs the least of several times least."""
+
 THESIS = "limited, thesis' masks"
 """What the mode is called whose masks know nothing of strokes that leave their thing."""
 
@@ -43,9 +46,7 @@ def along_a_path(views, alone):
     switches = _steps_at_switches(views.grid, path)
     jobs.sort(key=lambda job: job[2] != "limited")
     for each, mode, name in tqdm(jobs, unit="path", disable=None):
-        pictures = [each.picture(place, mode) for place in path]
-        changes = _changes(truth, pictures, path)
-        looks = [truth.looks(*pair) for pair in zip(pictures, path, strict=True)]
+        changes, looks = _seen(truth, each, path, mode)
         sharpness = np.array([each.sharpness for each in looks])
         base = base or (np.median(changes), sharpness)
         worst = changes[switches].max()
@@ -108,9 +109,7 @@ def at_distance(views):
     reach = 2.5  # what the finest of our grids covers
     path = [(x, 0.0) for x in np.arange(-reach, reach + STEP / 2, STEP).tolist()]
     for mode in ("image", "nnf", "limited", "fade"):
-        pictures = [views.picture(place, mode) for place in path]
-        changes = _changes(truth, pictures, path)
-        looks = [truth.looks(*pair) for pair in zip(pictures, path, strict=True)]
+        changes, looks = _seen(truth, views, path, mode)
         yield {
             "mode": mode,
             "degrees": degrees,
@@ -179,24 +178,23 @@ def _steps_at_switches(grid, path):
     return found
 
 
-def _changes(truth, pictures, path):
-    return np.array([
-        truth.change(*pair, *places)
-        for pair, places in zip(
-            pairwise(pictures), pairwise(path),
-            strict=True,
-        )
-    ])  # fmt: skip
+def _seen(truth, views, path, mode):
+    """The change of each step along a path, and the looks of each of its pictures."""
+    pictures = [views.picture(place, mode) for place in path]
+    steps = zip(pairwise(pictures), pairwise(path), strict=True)
+    changes = np.array([truth.change(*pair, *places) for pair, places in steps])
+    return changes, [truth.looks(*pair) for pair in zip(pictures, path, strict=True)]
 
 
 def _cpu(views, path, mode):
-    """The median over a path of the processor time of a picture, in ms."""
-    spent = []
-    for place in path[::4]:
+    """The median over a path of the processor time of a picture, in ms; the least of some runs."""
+
+    def spent(place):
         start = process_time()
         views.picture(place, mode)
-        spent.append(process_time() - start)
-    return 1000 * np.median(spent)
+        return process_time() - start
+
+    return 1000 * np.median([min(spent(place) for _ in range(ROUNDS)) for place in path[::4]])
 
 
 def middle_of_cell(grid, row=0, column=0):

@@ -9,7 +9,14 @@ from tempfile import TemporaryDirectory
 import numpy as np
 import pandas as pd
 
-from eval.between_views import THESIS, along_a_path, in_the_middle, left_out, middle_of_cell
+from eval.between_views import (
+    ROUNDS,
+    THESIS,
+    along_a_path,
+    in_the_middle,
+    left_out,
+    middle_of_cell,
+)
 from eval.device import processor
 from eval.number import Number
 from eval.outcome import Outcome
@@ -42,8 +49,6 @@ NUMBERS = {
 }
 
 _CODE = code_digest(__file__, views, without=("gpu_cuda",))
-
-_ROUNDS = 3
 
 
 @dataclass(frozen=True)
@@ -99,9 +104,6 @@ class Between:
             )
             path = pd.DataFrame(along_a_path(coherent, alone)).set_index("mode")
             path = path.rename(columns={"sharpness": "gradient"})
-            for _ in range(1, _ROUNDS):  # a busy machine disturbs the least of several times least
-                again = pd.DataFrame(along_a_path(coherent, alone)).set_index("mode")["cpu"]
-                path["cpu"] = np.minimum(path["cpu"], again)
             middle = pd.DataFrame(in_the_middle(coherent)).set_index("mode")
             middle = middle.rename(columns={"sharpness": "middle"})
             beside = pd.DataFrame(left_out(coherent)).set_index("mode")[["error", "kept"]]
@@ -169,7 +171,7 @@ def section(job, report):
         "beside the house and away from it, are those of the middles of cells; *beside stylized* "
         "and *of its gradient* compare the middle view, shown from the corners of the grid, with "
         "the same view stylized (3.8); milliseconds of the processor are of one picture, the least "
-        f"of {_ROUNDS} rounds of a path.",
+        f"of {ROUNDS} runs.",
     ]
 
 
