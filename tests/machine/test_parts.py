@@ -1,0 +1,45 @@
+"""Kernels and programs call the same functions."""
+
+import numpy as np
+from numba import njit
+
+from stylit_ref.machine.inlined import inlined
+from stylit_ref.machine.kernel import kernel
+
+
+@njit
+def least(a, b):
+    return min(a, b)
+
+
+@inlined
+def least_of_three(a, b, c):
+    return least(least(a, b), c)
+
+
+@kernel(parallel=False)
+def store_least(values):
+    values[0] = least_of_three(values[0], values[1], values[2])
+
+
+@kernel(parallel=False)
+def store_lesser(values):
+    values[0] = least(values[1], values[2])
+
+
+def test_a_function_of_a_function():
+    values = np.array([5, 3, 4])
+    store_least(values)
+    assert values[0] == 3
+
+
+def test_another_kernel_has_other_types():
+    store_least(np.array([5, 3, 4]))
+    values = np.array([0.0, 2.5, 1.5])
+    store_lesser(values)
+    assert values[0] == 1.5
+
+
+def test_a_program_calls_what_a_kernel_calls():
+    store_lesser(np.array([0, 1, 2]))
+    assert least(7, 6) == 6
