@@ -32,15 +32,18 @@ class KernelLibrary(JITCodeLibrary):
         ll_module.data_layout = self._codegen._data_layout
 
     def _optimize_final_module(self):
-        """Keep all parts to the kernel.
+        """Keep all functions to the kernel but the one that is called.
 
-        Numba tells functions of one name apart by numbers that begin anew in every process. A
-        kernel from the disk would else call the part of another one, if two processes made them.
+        LLVM changes the arguments of a function that no other code can call. Its linker still finds
+        it by its name, and would have the code of Numba's own functions call it in place of theirs.
         """
         for function in self._final_module.functions:
             if function.linkage == Linkage.linkonce_odr:
                 function.linkage = Linkage.internal
         super()._optimize_final_module()
+        for function in self._final_module.functions:
+            if function.linkage == Linkage.internal:
+                function.name = f"private.{function.name}"
 
 
 class PartLibrary(KernelLibrary):

@@ -1,7 +1,7 @@
 """Kernels and programs call the same functions."""
 
 import numpy as np
-from numba import njit
+from numba import njit, prange
 
 from stylit_ref.machine.inlined import inlined
 from stylit_ref.machine.kernel import kernel
@@ -43,3 +43,21 @@ def test_another_kernel_has_other_types():
 def test_a_program_calls_what_a_kernel_calls():
     store_lesser(np.array([0, 1, 2]))
     assert least(7, 6) == 6
+
+
+@kernel()
+def clear_rows(values):
+    for y in prange(values.shape[0]):
+        for x in range(values.shape[1]):
+            values[y][x] = 0
+
+
+def test_other_code_cannot_see_what_a_kernel_is_made_of():
+    """LLVM's linker would take a function of the kernel for one of the same name."""
+    clear_rows(np.ones((2, 2)))
+    [compiled] = clear_rows.dispatcher.overloads.values()
+    made = [each for each in compiled.library._final_module.functions if not each.is_declaration]
+    visible = {each.name for each in made if not each.name.startswith("private.")}
+    own = compiled.fndesc
+    assert visible == {own.llvm_func_name, own.llvm_cpython_wrapper_name}
+    assert "private.run" in {each.name for each in made}
