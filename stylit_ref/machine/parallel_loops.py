@@ -184,7 +184,10 @@ def _make_run(context, module, loop, pointer):
     arguments, dimensions, _, data = run.args
     shared = builder.load(builder.bitcast(data, pointer))
     count, parts, inputs = unpack_tuple(builder, shared)
-    inputs = unpack_tuple(builder, inputs)
+    inputs = [
+        _without_count(context, builder, kind, value)
+        for kind, value in zip(loop.signature.args[2:], unpack_tuple(builder, inputs), strict=True)
+    ]
     number = builder.ptrtoint(builder.load(arguments), _I64)
     with for_range(builder, builder.load(dimensions)) as each:
         part = builder.add(number, each.index)
@@ -195,6 +198,22 @@ def _make_run(context, module, loop, pointer):
         context.call_internal_no_propagate(builder, loop.fndesc, loop.signature, [*bounds, *inputs])
     builder.ret_void()
     return run
+
+
+def _without_count(context, builder, kind, value):
+    """Arrays as no one counts who uses them: threads would wait for each other at the counts."""
+    if isinstance(kind, types.Array):
+        array = context.make_array(kind)(context, builder, value)
+        array.meminfo, array.parent = (
+            llvm.Constant(part.type, None) for part in (array.meminfo, array.parent)
+        )
+        return array._getvalue()
+    if isinstance(kind, types.BaseTuple):
+        for number, element in enumerate(kind):
+            part = builder.extract_value(value, number)
+            part = _without_count(context, builder, element, part)
+            value = builder.insert_value(value, part, number)
+    return value
 
 
 def _call(builder, name, result, *values):
