@@ -65,6 +65,7 @@ class ProgressLine:
             return
         told = f"compiling kernels {number} of {count}, once"
         if number == 1:
+            self._runs = False  # if a run has begun, it goes on in a line of its own
             self._open(_COMPILATION, desc=told, total=count, leave=False)
         self._bar.n = number - 1
         self._bar.set_description_str(told)

@@ -92,6 +92,16 @@ def test_compilation_is_counted_and_no_part_of_the_run(
     assert running[-1].startswith("100%")
 
 
+def test_a_run_goes_on_after_a_compilation(monkeypatch, capfd):
+    monkeypatch.setattr("sys.stderr.isatty", lambda: True, raising=False)
+    with ProgressLine(quiet=False) as line:
+        line.tell(0.5, "half")
+        line.compiling(1, 1)
+        line.tell(1.0, "whole")
+    told = re.split(r"[\r\n]+", capfd.readouterr().err.strip())
+    assert re.match(r"100% \|.+whole", told[-1])
+
+
 def test_nothing_is_shown_before_there_is_something_to_tell(scene, shown):
     """So notes and refusals have their line, and the estimate knows of the run alone."""
     first = shown(scene[0], "--threads", "100000")[0]
