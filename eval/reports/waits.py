@@ -240,9 +240,9 @@ def main(options):
             provenance(),
             report.table("waits", frame, told),
             "Both versions in turns, the least of three runs; StyLit, 4800x3648 and the run beside "
-            f"busy programs once. The scene has {scene.size} where no size is named. The fair share of a run beside busy "
-            "programs: its seconds of the processor, alone, over its threads, times programs and "
-            "threads for each processor.",
+            f"busy programs once. The scene has {scene.size} where no size is named. The fair "
+            "time of a run beside busy programs: its seconds of the processor, alone, over its "
+            "threads, times programs and threads for each processor.",
         ]
         report.page(f"Where people wait, on {scene.name}", sections)
     return shown(folder)

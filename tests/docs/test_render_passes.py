@@ -26,8 +26,10 @@ class Settings:
 
 
 class Output(Settings):
-    """The format of files. Blender 5 offers a format only after its kind of media, and a depth only
-    with a format that has it; what does not fit any more changes by itself."""
+    """The format of files, which change with what they depend on, as in Blender 5.
+
+    A format is offered only after its kind of media, a depth only with a format that has it.
+    """
 
     def __setattr__(self, name, value):
         if name == "file_format" and "media_type" in vars(self):

@@ -57,8 +57,9 @@ def test_what_a_fork_fails_at_is_left_undone(tmp_path):
 
 
 @only_with_forks
-def test_an_error_ends_the_forks():
-    own = os.getpid()
+def test_an_error_ends_the_forks(monkeypatch):
+    own, fork, forks = os.getpid(), os.fork, []
+    monkeypatch.setattr(os, "fork", lambda: forks.append(fork()) or forks[-1])
 
     def wait_elsewhere():
         if os.getpid() == own:
@@ -67,8 +68,10 @@ def test_an_error_ends_the_forks():
 
     with pytest.raises(ValueError, match="an error"):
         share([wait_elsewhere] * 3, ignore)
-    with pytest.raises(ChildProcessError):
-        os.waitpid(-1, os.WNOHANG)
+    assert forks
+    for each in forks:
+        with pytest.raises(ChildProcessError):  # it is no child any more
+            os.waitpid(each, os.WNOHANG)
 
 
 def test_a_process_with_threads_is_alone():
