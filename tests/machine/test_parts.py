@@ -1,5 +1,6 @@
 """Kernels and programs call the same functions."""
 
+import numba
 import numpy as np
 from numba import njit, prange
 
@@ -45,15 +46,16 @@ def test_a_program_calls_what_a_kernel_calls():
     assert least(7, 6) == 6
 
 
-@kernel()
-def clear_rows(values):
-    for y in prange(values.shape[0]):
-        for x in range(values.shape[1]):
-            values[y][x] = 0
-
-
-def test_other_code_cannot_see_what_a_kernel_is_made_of():
+def test_other_code_cannot_see_what_a_kernel_is_made_of(tmp_path, monkeypatch):
     """LLVM's linker would take a function of the kernel for one of the same name."""
+    monkeypatch.setattr(numba.config, "CACHE_DIR", str(tmp_path))
+
+    @kernel()
+    def clear_rows(values):
+        for y in prange(values.shape[0]):
+            for x in range(values.shape[1]):
+                values[y][x] = 0
+
     clear_rows(np.ones((2, 2)))
     [compiled] = clear_rows.dispatcher.overloads.values()
     made = [each for each in compiled.library._final_module.functions if not each.is_declaration]
