@@ -13,10 +13,12 @@ ARGS ?=
 WORKERS ?= 2
 PYTHONS ?= 3.11 3.12 3.13 3.14
 
-.PHONY: eval reports schedules epsilon stylit spilling levels bench scenes test test-fast test-gpu ptx docs notebooks wheel lowest lint viewer bundles data turntable blender help clean
+.PHONY: eval reports schedules epsilon stylit spilling levels bench waits scenes test test-fast test-gpu ptx docs notebooks wheel lowest lint viewer bundles data turntable blender help clean
 
-eval: $(VENV)/$(if $(SCHEDULER),cluster,eval).installed ## make the reports on four publications; DOCUMENT=dzurenko, lasram, heidrich or hauptfleisch: one of them, with PRESET, ARGS, and for dzurenko SCHEDULER=ADDRESS
-	$(BIN)/python -m eval $(or $(DOCUMENT),$(if $(PRESET)$(SCHEDULER)$(ARGS),dzurenko,documents)) $(if $(PRESET),--preset "$(PRESET)") $(if $(SCHEDULER),--scheduler "$(SCHEDULER)") $(ARGS)
+OF_ONE := $(PRESET)$(SCHEDULER)$(ARGS)
+eval: $(VENV)/$(if $(SCHEDULER),cluster,eval).installed ## make the reports on four publications; DOCUMENT=dzurenko, lasram, heidrich or hauptfleisch: one, with PRESET, ARGS, and for dzurenko SCHEDULER=ADDRESS
+	$(if $(DOCUMENT),,$(if $(OF_ONE),$(error PRESET, ARGS and SCHEDULER are for one report: add DOCUMENT=dzurenko, lasram, heidrich or hauptfleisch)))
+	$(BIN)/python -m eval $(or $(DOCUMENT),documents) $(if $(PRESET),--preset "$(PRESET)") $(if $(SCHEDULER),--scheduler "$(SCHEDULER)") $(ARGS)
 
 reports: $(VENV)/eval.installed ## copy finished reports to reports/, made small: ARGS=NAME for a new one
 	$(BIN)/python -m eval publish $(ARGS)
@@ -35,6 +37,8 @@ spilling: report-spilling ## measure spilling without and with an ID guide: SCEN
 levels: report-levels ## measure how many pyramid levels serve at each size, after make data: DATA=DIR,...
 
 bench: report-bench ## measure time, memory and energy: EBSYNTH=PATH measures ebsynth too
+
+waits: report-waits ## measure where people wait: ARGS="--before FOLDER" measures another version beside this one
 
 scenes: report-scenes ## show all scenes, and every target in every style
 

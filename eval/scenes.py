@@ -1,11 +1,12 @@
 """Read scenes from a folder or a data set: a style, its guides, and the guides of a target."""
 
 import hashlib
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 
 import numpy as np
+import skimage.transform
 
 from data_gen.guides import LIGHT_PASSES
 from data_gen.manifest import DataError, Manifest
@@ -64,6 +65,23 @@ class Scene:
         names = self.guide_names
         shown = next((names.index(name) for name in ("FULL", "fullgi") if name in names), 0)
         return self.target_guides[shown]
+
+    def resized(self, size):
+        """The same scene, all images enlarged or reduced to (H, W)."""
+
+        def resize(image):
+            smooth = image.shape[0] > size[0]
+            resized = skimage.transform.resize(
+                image, size, anti_aliasing=smooth, preserve_range=True
+            )
+            return np.round(resized).astype(np.uint8)
+
+        return replace(
+            self,
+            style=resize(self.style),
+            source_guides=tuple(map(resize, self.source_guides)),
+            target_guides=tuple(map(resize, self.target_guides)),
+        )
 
     @cached_property
     def digest(self):

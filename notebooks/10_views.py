@@ -69,7 +69,7 @@ def slider(files):
         "picture.style.display = n == this.value ? 'block' : 'none'"
     )
     return HTML(
-        f'<div><input type="range" value="0" max="{len(files) - 1}" style="width: 30em" '
+        f'<div><input type="range" value="0" max="{len(files) - 1}" style="width: min(30em, 100%)" '
         f'aria-label="which picture" oninput="{choose}">{pictures}</div>'
     )
 

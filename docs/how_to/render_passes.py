@@ -40,20 +40,22 @@ def main():
     if not bpy.data.filepath:
         raise RuntimeError("save the file first: the renders are written beside it")
     scene = bpy.context.scene
+    if scene.camera is None:
+        raise RuntimeError("the scene has no camera")
     if scene.camera.data.type == "ORTHO" and scene.frame_start != scene.frame_end:
         raise RuntimeError("the camera is orthographic, and vectors are wrong if it moves")
     for thing in scene.objects:
         if thing.type == "MESH" and not thing.pass_index:
             print(f"{thing.name}: has no Pass Index; paint may spill onto it")
 
-    changed = []
+    wanted = list(settings(scene, Path(bpy.data.filepath).stem))
+    before = [(owner, name, getattr(owner, name)) for owner, name, _ in wanted]  # one moves others
     try:
-        for owner, name, value in settings(scene, Path(bpy.data.filepath).stem):
-            changed.append((owner, name, getattr(owner, name)))
+        for owner, name, value in wanted:
             setattr(owner, name, value)
         bpy.ops.render.render(animation=True)
     finally:
-        for owner, name, value in changed:
+        for owner, name, value in before:
             setattr(owner, name, value)
 
 

@@ -8,13 +8,10 @@ import os
 import sys
 import tempfile
 import time
-from dataclasses import replace
 from pathlib import Path
 
 import numba
-import numpy as np
 import pandas as pd
-import skimage.transform
 from tqdm import tqdm
 
 from eval.methods.ebsynth import CONFIGURATION, Ebsynth, write_scene
@@ -180,7 +177,8 @@ def _sizes(scene, workplace, bar):
     """Time and memory of the thesis configuration by the number of pixels."""
     rows = []
     for scale in SCALES:
-        scaled = _rescaled(scene, scale)
+        size = scene.target_guides[0].shape[:2]
+        scaled = scene.resized(tuple(round(scale * length) for length in size))
         bar.set_description(f"stylit-ref, {scaled.size}")
         folder = workplace / scaled.size
         folder.mkdir()
@@ -199,22 +197,6 @@ def _sizes(scene, workplace, bar):
         )
         bar.update()
     return pd.DataFrame(rows)
-
-
-def _rescaled(scene, scale):
-    def resize(image):
-        size = [round(scale * length) for length in image.shape[:2]]
-        resized = skimage.transform.resize(
-            image, size, anti_aliasing=scale < 1, preserve_range=True
-        )
-        return np.round(resized).astype(np.uint8)
-
-    return replace(
-        scene,
-        style=resize(scene.style),
-        source_guides=tuple(map(resize, scene.source_guides)),
-        target_guides=tuple(map(resize, scene.target_guides)),
-    )
 
 
 def _synthesis_seconds(scene, configuration):

@@ -5,7 +5,7 @@ from dataclasses import fields
 from typing import Any, NamedTuple
 
 from stylit_ref.errors import InputError
-from stylit_ref.machine.kernel import Specialization
+from stylit_ref.machine.compilation import Specialization
 from stylit_ref.realtime.params import REALTIME_PRESETS, RealtimeParams
 from stylit_ref.stylization.methods import METHODS, heeded_by
 from stylit_ref.stylization.params import PRESETS, Params

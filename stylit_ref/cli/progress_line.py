@@ -2,11 +2,12 @@
 
 import sys
 from collections.abc import Callable, Iterable
+from contextlib import ExitStack
 from types import TracebackType
 
 from tqdm import tqdm
 
-from stylit_ref.machine.kernel import Specialization, compile_missing
+from stylit_ref.machine.compilation import Specialization, compiling_together
 from stylit_ref.stylization.progress import Step
 
 _PREPARATION = "{desc} {n_fmt} of {total_fmt} |{bar}| {elapsed}"
@@ -38,6 +39,7 @@ class ProgressLine:
         self._verbose = verbose
         self._bar: tqdm | None = None
         self._runs = False
+        self._together = ExitStack()
 
     def __enter__(self) -> "ProgressLine":
         return self
@@ -48,11 +50,12 @@ class ProgressLine:
         error: BaseException | None,
         trace: TracebackType | None,
     ) -> None:
+        self._together.close()
         self._close()
 
-    def compile(self, kernels: Callable[[], Iterable[Specialization]]) -> int:
-        """Compile what is missing of some kernels, and tell it; if quiet, leave it to the run."""
-        return 0 if self._quiet else compile_missing(kernels(), self.compiling)
+    def compile(self, kernels: Callable[[], Iterable[Specialization]]) -> None:
+        """Tell it when one of these kernels is missing, and compile all; until the line ends."""
+        self._together.enter_context(compiling_together(kernels, self.compiling))
 
     def compiling(self, number: int, count: int) -> None:
         """Tell which kernel is going to be compiled; where no line is shown, how many there are."""
@@ -62,6 +65,7 @@ class ProgressLine:
             return
         told = f"compiling kernels {number} of {count}, once"
         if number == 1:
+            self._runs = False  # if a run has begun, it goes on in a line of its own
             self._open(_COMPILATION, desc=told, total=count, leave=False)
         self._bar.n = number - 1
         self._bar.set_description_str(told)

@@ -22,7 +22,7 @@ from stylit_ref.files.disk.paths import check_distinct
 from stylit_ref.files.nnf_file import check_nnf_writable
 from stylit_ref.files.realtime_field import RealtimeField, read_any_field, write_realtime_field
 from stylit_ref.files.write_image import check_image_writable, write_image
-from stylit_ref.machine.kernel import Specialization, compile_missing
+from stylit_ref.machine.compilation import Specialization
 from stylit_ref.machine.profiling import Profile
 from stylit_ref.notes import note
 from stylit_ref.realtime.checks import check_sides
@@ -71,8 +71,7 @@ def run_realtime(options: argparse.Namespace, params: RealtimeParams) -> None:
     _tell_unread(packing, buffers)
     weights = weights_of(options, packing, buffers)
     with ProgressLine(options.quiet) as line:
-        if line.is_shown:
-            compile_missing(kernels_of_frame(params, packing), line.compiling)
+        line.compile(lambda: kernels_of_frame(params, packing))
         with profile.stage("packing and search"):
             frame = realtime_frame(
                 style, buffers, packing, params, [target for _, target in files],

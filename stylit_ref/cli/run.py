@@ -128,7 +128,7 @@ def run(options: argparse.Namespace) -> None:
             fill=images.fill,
             backend=options.backend,
             threads=options.threads,
-            compiling=line.compiling if line.is_shown else None,  # it takes 50 ms to ask
+            compiling=line.compiling,
             progress=line.step,
             on_level=outputs.save_level,
             profile=profile,

@@ -18,7 +18,7 @@ from stylit_ref.files.animation_file import SUFFIX, check_animation_writable, wr
 from stylit_ref.files.colour.profile import read_colour_profile
 from stylit_ref.files.disk.paths import check_distinct
 from stylit_ref.files.write_image import check_image_writable, write_image
-from stylit_ref.machine.kernel import Specialization
+from stylit_ref.machine.compilation import Specialization
 from stylit_ref.machine.vector_patch import STYLE_LANES
 from stylit_ref.notes import note
 from stylit_ref.views.interpolation.formulae.mean import WIDEST
@@ -87,21 +87,20 @@ def run(options: argparse.Namespace) -> None:
     found = Run(options.run)
     with ProgressLine(options.quiet) as line:
         line.compile(lambda: _kernels(found))
-    views = views_of_run(found, band=options.band)
-    places = [options.at] if options.at else places_along(options.path, options.step)
-    for place in places:
-        views.grid.check(place)
-    moves = bool(options.path) and options.output.lower().endswith(SUFFIX)
-    outputs = _outputs(options, moves, len(places))
-    check_distinct(outputs, found.files)
-    channels = found.picture(0).shape[2:] or (1,)
-    for output in outputs:
-        if moves:
-            check_animation_writable(output, channels[0])
-        else:
-            check_image_writable(output, channels[0])
-    _note_fade(options, views)
-    with ProgressLine(options.quiet) as line:
+        views = views_of_run(found, band=options.band)
+        places = [options.at] if options.at else places_along(options.path, options.step)
+        for place in places:
+            views.grid.check(place)
+        moves = bool(options.path) and options.output.lower().endswith(SUFFIX)
+        outputs = _outputs(options, moves, len(places))
+        check_distinct(outputs, found.files)
+        channels = found.picture(0).shape[2:] or (1,)
+        for output in outputs:
+            if moves:
+                check_animation_writable(output, channels[0])
+            else:
+                check_image_writable(output, channels[0])
+        _note_fade(options, views)
         pictures = _pictures(views, places, options.mode, line)
         if moves:
             pictures = list(pictures)

@@ -15,7 +15,7 @@ from stylit_ref.cli.methods import offer_of
 from stylit_ref.cli.parameter_options import parsed
 from stylit_ref.cli.parser import Parser
 from stylit_ref.cli.progress_line import ProgressLine
-from stylit_ref.machine.kernel import compile_missing
+from stylit_ref.machine.compilation import compile_missing
 from stylit_ref.stylization.params import Params
 from stylit_ref.stylization.warm_up import GUIDE_CHANNELS, SIX_GUIDES, STYLE_CHANNELS
 from stylit_ref.texture.warm_up import kernels_of_all_textures

@@ -1,90 +1,26 @@
 """Loops over whole arrays, compiled when they are first called."""
 
-import inspect
-import logging
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from contextvars import ContextVar
 from functools import wraps
-from pathlib import Path
-from typing import NamedTuple, ParamSpec
+from typing import ParamSpec
 
-from numba import njit, types
+from numba import njit
 from numba.core.dispatcher import Dispatcher
 
+from stylit_ref.machine.compilation import Specialization, bring_others
 from stylit_ref.machine.forks import survive_forks
 from stylit_ref.machine.interruption import heed_waiting
 from stylit_ref.machine.kernel_cache import KernelCache
 from stylit_ref.machine.names import tell_functions_apart
-from stylit_ref.notes import note
+from stylit_ref.machine.parallel_loops import ParallelKernelCompiler
+from stylit_ref.machine.parts import KernelCompiler
 
 survive_forks()  # here, since every kernel comes from here
 tell_functions_apart()
 
 Arguments = ParamSpec("Arguments")
-
-# Only loops that say prange run in parallel: no array expression is worth a loop of its own.
-_PRANGE_ALONE = dict.fromkeys(
-    ("comprehension", "reduction", "inplace_binop", "setitem", "numpy", "stencil", "fusion"), False
-) | {"prange": True}
-
-
-class Specialization(NamedTuple):
-    """A kernel for arguments of certain types: what is compiled, kept and loaded as one.
-
-    Attributes
-    ----------
-    dispatcher : numba.core.dispatcher.Dispatcher
-    types : tuple of numba.types.Type
-    """
-
-    dispatcher: Dispatcher
-    types: tuple[types.Type, ...]
-
-    @property
-    def is_compiled(self) -> bool:
-        """Whether it can be called without compiling: this process has it, or the disk."""
-        return self.types in self.dispatcher.overloads or (
-            isinstance(self.dispatcher._cache, KernelCache)
-            and self.dispatcher._cache.holds(self.types)
-        )
-
-    @property
-    def folder(self) -> Path | None:
-        """Where it is kept, None where no folder can be written."""
-        cache = self.dispatcher._cache
-        return Path(cache.cache_path) if isinstance(cache, KernelCache) else None
-
-
-def compile_missing(
-    kernels: Iterable[Specialization], progress: Callable[[int, int], None] | None = None
-) -> int:
-    """Compile those kernels that neither this process nor the disk has.
-
-    Parameters
-    ----------
-    kernels : iterable of Specialization
-    progress : callable, optional
-        Called with a kernel's number, from 1, and how many there are to compile, before each.
-
-    Returns
-    -------
-    int
-        How many were compiled.
-    """
-    missing = [each for each in kernels if not each.is_compiled]
-    if any(each.folder is None for each in missing):
-        note(
-            "compiled kernels cannot be kept, since no folder for them can be written; set "
-            "NUMBA_CACHE_DIR to one that can",
-            level=logging.WARNING,
-        )
-    for number, each in enumerate(missing, 1):
-        if progress:
-            progress(number, len(missing))
-        each.dispatcher.compile(each.types)
-        heed_waiting()
-    return len(missing)
 
 
 _REHEARSED: ContextVar[dict[Specialization, None] | None] = ContextVar("rehearsed", default=None)
@@ -131,10 +67,16 @@ def kernel(
 
     def decorate(function):
         dispatcher = njit(
-            parallel=_PRANGE_ALONE if parallel else False, error_model="numpy", nogil=nogil
+            pipeline_class=ParallelKernelCompiler if parallel else KernelCompiler,
+            error_model="numpy",
+            nogil=nogil,
+            no_cfunc_wrapper=True,
         )(function)
         with suppress(RuntimeError):  # no folder can be written, so every process compiles
             dispatcher._cache = KernelCache(function, constants)
+        is_compiled = isinstance(dispatcher, Dispatcher)  # not NUMBA_DISABLE_JIT's plain function
+        if is_compiled:
+            bring_others(dispatcher)
 
         @wraps(function)
         def run(*arguments, **named):
@@ -142,10 +84,8 @@ def kernel(
             if rehearsed is None:
                 dispatcher(*arguments, **named)
                 heed_waiting()
-            elif isinstance(dispatcher, Dispatcher):  # and not NUMBA_DISABLE_JIT's plain function
-                values = inspect.signature(function).bind(*arguments, **named).args
-                types_of = tuple(map(dispatcher.typeof_pyval, values))
-                rehearsed[Specialization(dispatcher, types_of)] = None
+            elif is_compiled:
+                rehearsed[Specialization.of_call(dispatcher, arguments, named)] = None
 
         run.dispatcher = dispatcher
         return run

@@ -13,7 +13,7 @@ from contextlib import suppress
 from functools import cached_property
 from pathlib import Path
 from types import FunctionType
-from typing import Any
+from typing import Any, NamedTuple
 
 from numba import types
 from numba.core.caching import FunctionCache, IndexDataCacheFile
@@ -27,11 +27,11 @@ STARTED = time.time_ns()
 
 
 class KernelCache(FunctionCache):
-    """Files of their own for every code and every set of constants.
+    """Files of their own for every code, every set of constants and all types of arguments.
 
     They lie where Numba would put them: in NUMBA_CACHE_DIR, ``__pycache__`` or the user's cache
-    folder. No file is ever written again with other contents, so that processes of different
-    code or constants cannot read each other's.
+    folder. No file is ever written again for another kernel, so that processes that compile at the
+    same time cannot give each other the wrong one.
     """
 
     def __init__(self, function: Callable[..., None], constants: tuple[int, ...]) -> None:
@@ -43,8 +43,7 @@ class KernelCache(FunctionCache):
     def _cache_file(self):
         """Where the kernel lies; found out when it is first called, as most never are."""
         code = code_digest(*_files_of(self._function))
-        identity = hashlib.sha256(repr((code, self._constants)).encode()).hexdigest()[:16]
-        return IndexDataCacheFile(self._cache_path, f"{self._impl.filename_base}-{identity}", code)
+        return _KernelFiles(self._cache_path, self._impl.filename_base, code, self._constants)
 
     @cached_property
     def _is_as_it_ran(self):
@@ -71,7 +70,7 @@ class KernelCache(FunctionCache):
             return self._load_overload(sig, target_context)
         except Exception:  # whatever a pickle of random bytes brings about
             with suppress(OSError):
-                self._cache_file.flush()
+                self._cache_file.flush(self._index_key(sig, target_context.codegen()))
             return None
 
     def save_overload(self, *arguments: Any) -> None:
@@ -87,12 +86,38 @@ class KernelCache(FunctionCache):
         """Whether the kernel for arguments of these types is on the disk."""
         key = self._index_key(types, cpu_target.target_context.codegen())
         try:
-            return self._is_as_it_ran and key in self._cache_file._load_index()
+            return self._is_as_it_ran and self._cache_file.holds(key)
         except Exception:  # as in load_overload
             return False
 
     def _index_key(self, signature, codegen):
         return signature, codegen.magic_tuple()
+
+
+class _KernelFiles(NamedTuple):
+    """The files of the kernels of one function, by Numba's keys: types and processor."""
+
+    folder: str
+    name: str
+    code: str
+    constants: tuple[int, ...]
+
+    def load(self, key):
+        return self._of(key).load(key)
+
+    def save(self, key, data):
+        self._of(key).save(key, data)
+
+    def holds(self, key):
+        return key in self._of(key)._load_index()
+
+    def flush(self, key):
+        self._of(key).flush()
+
+    def _of(self, key):
+        identity = repr((self.code, self.constants, key))
+        digest = hashlib.sha256(identity.encode()).hexdigest()[:16]
+        return IndexDataCacheFile(self.folder, f"{self.name}-{digest}", self.code)
 
 
 def _files_of(function):

@@ -4,7 +4,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from stylit_ref.machine.kernel import Specialization, rehearsal
+from stylit_ref.machine.compilation import Specialization
+from stylit_ref.machine.kernel import rehearsal
 from stylit_ref.realtime.packing import Packing, PrincipalPacking, pack
 from stylit_ref.realtime.params import RealtimeParams
 from stylit_ref.realtime.session import Session

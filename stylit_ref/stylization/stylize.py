@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stylit_ref.arrays import as_array
+from stylit_ref.machine.compilation import compiling_together
 from stylit_ref.machine.profiling import Profile
 from stylit_ref.machine.thread_count import using_threads
 from stylit_ref.metric.packing import ONE
@@ -16,7 +17,7 @@ from stylit_ref.stylization.mask import fill_masked
 from stylit_ref.stylization.params import Params, as_params
 from stylit_ref.stylization.problem import make_synthesis
 from stylit_ref.stylization.progress import Step
-from stylit_ref.stylization.warm_up import warm_up
+from stylit_ref.stylization.warm_up import kernels_of_run
 
 
 @dataclass(frozen=True)
@@ -97,8 +98,8 @@ def stylize(
         has one (:mod:`stylit_ref.machine.forks`).
     compiling : callable, optional
         Called before each kernel that is compiled, with its number, from 1, and how many there are
-        to compile. All are then compiled before the first step; without it, each when it is first
-        called. Kernels of a GPU are not told.
+        to compile. As soon as one is missing, all are compiled, in several processes where that is
+        safe; without it, each when it is first called. Kernels of a GPU are not told.
     progress : callable, optional
         Called with a :class:`Step` after every PatchMatch iteration or retrieval.
     on_level : callable, optional
@@ -121,20 +122,15 @@ def stylize(
     if profile:
         found = found._replace(passes=profile.passes(found.passes))
     history, guide_maps = [], []
-    with using_threads(threads):
+    together = nullcontext()
+    if compiling and on_cpu:
+        channels = _channels(style), tuple(map(_channels, source_guides))
+        together = compiling_together(lambda: kernels_of_run(params, *channels), compiling)
+    with using_threads(threads), together:
         synthesis = make_synthesis(
             style, source_guides, target_guides, params,
             seed=seed, mask=mask, fill=fill, backend=found,
         )  # fmt: skip
-        if compiling and on_cpu:
-            packing = synthesis.exemplar.packing
-            with profile.stage("looking for kernels") if profile else nullcontext():
-                warm_up(
-                    params,
-                    style_channels=packing.style_channels,
-                    guide_channels=packing.guide_sizes,
-                    progress=compiling,
-                )
         download = found.passes.download
         for number in synthesis.level_numbers:
             for step in synthesis.run_level(number):
@@ -161,6 +157,10 @@ def stylize(
         history=tuple(history),
         guide_maps=tuple(guide_maps),
     )
+
+
+def _channels(image):
+    return np.shape(image)[2] if np.ndim(image) == 3 else 1
 
 
 def _shaped_like(style, image):

@@ -7,7 +7,8 @@ from dataclasses import replace
 import numpy as np
 
 from stylit_ref import passes
-from stylit_ref.machine.kernel import Specialization, compile_missing, rehearsal
+from stylit_ref.machine.compilation import Specialization, compile_missing
+from stylit_ref.machine.kernel import rehearsal
 from stylit_ref.machine.replaced import replaced
 from stylit_ref.parameters import Integer, Several
 from stylit_ref.stylization.backends import CPU, Backend

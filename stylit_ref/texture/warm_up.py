@@ -4,7 +4,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from stylit_ref.machine.kernel import Specialization, rehearsal
+from stylit_ref.machine.compilation import Specialization
+from stylit_ref.machine.kernel import rehearsal
 from stylit_ref.texture.dragging import drag, drop
 from stylit_ref.texture.painting import paint
 from stylit_ref.texture.params import TextureParams

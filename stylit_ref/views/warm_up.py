@@ -5,7 +5,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from stylit_ref.machine.kernel import Specialization, rehearsal
+from stylit_ref.machine.compilation import Specialization
+from stylit_ref.machine.kernel import rehearsal
 from stylit_ref.stylization.params import Params
 from stylit_ref.stylization.warm_up import rehearsing_backend
 from stylit_ref.views.frames import Motion, sequence_pairs

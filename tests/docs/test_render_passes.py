@@ -11,6 +11,9 @@ SCRIPT = Path(__file__).parents[2] / "docs/how_to/render_passes.py"
 PASSES = "z", "vector", "object_index", "diffuse_direct", "diffuse_indirect", "glossy_direct"
 
 
+DEPTHS = {"PNG": ("8", "16"), "JPEG": ("8",), "OPEN_EXR_MULTILAYER": ("32", "16")}
+
+
 class Settings:
     """Attributes that are there, as in Blender: another one cannot be set."""
 
@@ -23,13 +26,22 @@ class Settings:
 
 
 class Output(Settings):
-    """The format of files: Blender 5 offers a format only after its kind of media."""
+    """The format of files, which change with what they depend on, as in Blender 5.
+
+    A format is offered only after its kind of media, a depth only with a format that has it.
+    """
 
     def __setattr__(self, name, value):
         if name == "file_format" and "media_type" in vars(self):
             layered = self.media_type == "MULTI_LAYER_IMAGE"
             assert layered == (value == "OPEN_EXR_MULTILAYER"), "not offered"
+        if name == "color_depth":
+            assert value in DEPTHS[self.file_format], "not offered"
         super().__setattr__(name, value)
+        if name == "media_type":
+            self.file_format = "OPEN_EXR_MULTILAYER" if value == "MULTI_LAYER_IMAGE" else "JPEG"
+        if name == "file_format" and self.color_depth not in DEPTHS[value]:
+            self.color_depth = DEPTHS[value][0]
 
 
 def values_of(scene):
@@ -118,6 +130,12 @@ def test_the_module_opens_the_file_that_is_named(blender, monkeypatch):
 def test_a_file_that_was_never_saved_is_refused(blender):
     blender.data.filepath = ""
     with pytest.raises(RuntimeError, match="save the file first"):
+        run()
+
+
+def test_a_scene_without_a_camera_is_refused(blender):
+    blender.context.scene.camera = None
+    with pytest.raises(RuntimeError, match="no camera"):
         run()
 
 

@@ -9,8 +9,9 @@ import numpy as np
 import pytest
 from numba.core import event
 
+from stylit_ref.machine.compilation import compile_missing
 from stylit_ref.machine.interruption import heed_interruptions, heed_waiting
-from stylit_ref.machine.kernel import compile_missing, kernel, rehearsal
+from stylit_ref.machine.kernel import kernel, rehearsal
 
 SIGNALS = signal.SIGINT, signal.SIGTERM
 

@@ -11,7 +11,8 @@ from code_copy import CodeCopy
 
 import stylit_ref.machine.kernel_cache
 from stylit_ref.machine.code_digest import imported_files
-from stylit_ref.machine.kernel import compile_missing, kernel, rehearsal
+from stylit_ref.machine.compilation import compile_missing, compiling_together
+from stylit_ref.machine.kernel import kernel, rehearsal
 
 
 @pytest.fixture(autouse=True)
@@ -47,6 +48,15 @@ def test_constants_tell_kernels_apart(cache_folder):
     before = {file: file.read_bytes() for file in cache_folder.rglob("*.nb?")}
     assert run(make_kernel(2)) == (2, False)
     assert run(make_kernel(1)) == (1, True)
+    assert len(list(cache_folder.rglob("*.nb?"))) == 2 * len(before) == 4
+    assert {file: file.read_bytes() for file in before} == before
+
+
+def test_kernels_for_other_types_have_files_of_their_own(cache_folder):
+    store = make_kernel(1)
+    store(np.zeros(1, np.int64))
+    before = {file: file.read_bytes() for file in cache_folder.rglob("*.nb?")}
+    store(np.zeros(1, np.float64))
     assert len(list(cache_folder.rglob("*.nb?"))) == 2 * len(before) == 4
     assert {file: file.read_bytes() for file in before} == before
 
@@ -173,6 +183,24 @@ def test_what_is_missing_is_told_and_compiled():
     assert compile_missing(found, lambda *step: told.append(step)) == 1
     assert told == [(1, 1)]
     assert compile_missing(found) == 0
+
+
+def test_the_first_that_is_missing_brings_the_others():
+    kernels = [make_kernel(number) for number in (1, 2, 3)]
+    array, told = np.zeros(1, np.int64), []
+    kernels[2](array)
+    with rehearsal() as found:
+        for each in kernels:
+            each(array)
+    with compiling_together(lambda: found, lambda *step: told.append(step)):
+        kernels[2](array)
+        assert not told
+        kernels[1](array)
+        assert (told[0], array[0]) == ((1, 2), 2)
+        assert all(each.is_compiled for each in found)
+        before = len(told)
+        kernels[2](np.zeros(1, np.int32))  # is none of them, and brings nothing again
+    assert len(told) == before
 
 
 def test_a_rehearsal_ends_with_its_block():

@@ -7,7 +7,7 @@ from numba.core import event
 from small_scene import small_scene
 
 from stylit_ref import ArrayShot, Coherence, Motion, Params, stylize_views
-from stylit_ref.machine.kernel import compile_missing
+from stylit_ref.machine.compilation import compile_missing
 from stylit_ref.views.frames import sequence_pairs
 from stylit_ref.views.warm_up import kernels_of_frames
 

@@ -126,7 +126,7 @@ def work(connection: Connection, wanted: Any) -> None:
 
 
 def _compiled(ahead):
-    from stylit_ref.machine.kernel import compile_missing
+    from stylit_ref.machine.compilation import compile_missing
     from stylit_ref.realtime.warm_up import kernels_of_frame
 
     for kernel in reversed(kernels_of_frame(ahead.params, ahead.packing, warm=True)):

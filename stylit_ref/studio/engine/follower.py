@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from stylit_ref.errors import InputError
 from stylit_ref.files.field import Field
 from stylit_ref.files.realtime_field import RealtimeField
-from stylit_ref.machine.kernel import compile_missing
+from stylit_ref.machine.compilation import compile_missing
 from stylit_ref.realtime.packing import Packing, choose_packing
 from stylit_ref.realtime.params import RealtimeParams
 from stylit_ref.realtime.session import Session

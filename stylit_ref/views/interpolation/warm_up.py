@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from stylit_ref.machine.kernel import Specialization, rehearsal
+from stylit_ref.machine.compilation import Specialization
+from stylit_ref.machine.kernel import rehearsal
 from stylit_ref.views.frames import Motion, grid_pairs
 from stylit_ref.views.interpolation.camera import Camera
 from stylit_ref.views.interpolation.fields_geometry import FieldsGeometry

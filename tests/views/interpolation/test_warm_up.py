@@ -7,7 +7,7 @@ from numba.core import event
 from small_run import write_run
 
 from stylit_ref import views_of_run
-from stylit_ref.machine.kernel import compile_missing
+from stylit_ref.machine.compilation import compile_missing
 from stylit_ref.views.interpolation.view_interpolator import MODES
 from stylit_ref.views.interpolation.warm_up import kernels_of_views
 
