@@ -29,7 +29,7 @@ from skimage.util import view_as_windows
 
 from data_gen.textures import make_texture
 from stylit_ref import TextureParams, TextureSession, synthesize_texture
-from stylit_ref.texture.formulae.polar import BLOCKED, make_polar
+from stylit_ref.texture.formulae.polar import BLOCKED, WEIGHT_BITS, make_polar
 from stylit_ref.texture.formulae.seam_cost import ONE
 from stylit_ref.texture.passes.cut import accumulate, closed_path
 
@@ -122,12 +122,12 @@ show(axes[1], window[polar.inside], f"its table: {rows} angles, {columns} radii"
 axes[1].set_aspect("auto")
 plt.show()
 
-area = (hidden[polar.inside] * polar.area / (1 << 14)).sum()
+area = (hidden[polar.inside] * polar.area / (1 << WEIGHT_BITS)).sum()
 print(f"seams in the disc {hidden[polar.radius_at < R * 256].sum():.0f}, in the table {area:.0f}")
 
 # %% [markdown]
 # The left of the table is the centre, blown up: each of its samples stands for little area. The
-# normalization $\mathcal{N}$ of Appendix A weighs it, so that both sums agree.
+# normalization $\mathcal{N}$ of Appendix A weighs it, so that both sums nearly agree.
 #
 # ## A path that closes
 #
@@ -227,7 +227,8 @@ plt.show()
 assert (np.diff(runs["exact"]) <= 0).all()
 
 # %% [markdown]
-# With `none` every patch is laid down, and the texture never settles. The other two fall together.
+# With `none` every patch is laid down, and the cost stays higher and rises at times. The other two
+# fall together.
 # `exact` cannot rise: each patch lowers the total, patches of one iteration do not touch, and so
 # their changes add up to the last bit, with any number of threads.
 #
