@@ -2,7 +2,7 @@
 
 Numba compiles each of them as if a program called it: it optimizes it, makes machine code of it
 and wraps it for Python. Then it links it into the kernel, inlines it and optimizes all of it again.
-Parts are only translated for LLVM, once in a process, and each kernel is optimized as a whole. A
+Parts are only optimized, once in a process, and machine code is made of whole kernels. A
 function that a program calls by itself is compiled by Numba as ever.
 """
 
@@ -26,10 +26,7 @@ _parts: WeakKeyDictionary[CPUDispatcher, "_Part"] = WeakKeyDictionary()
 
 
 class KernelLibrary(JITCodeLibrary):
-    """The code of a kernel, which is optimized as a whole alone."""
-
-    def _optimize_functions(self, ll_module):
-        ll_module.data_layout = self._codegen._data_layout
+    """The code of a kernel."""
 
     def _optimize_final_module(self):
         """Keep all functions to the kernel but the one that is called.
@@ -50,7 +47,7 @@ class PartLibrary(KernelLibrary):
     """Code that is linked into the kernels that call it, as it was lowered."""
 
     def finalize(self) -> None:
-        """Take in what it calls itself; nothing is optimized, and no machine code made."""
+        """Take in what it calls itself; no machine code is made."""
         for library in dict.fromkeys(self._linking_libraries):
             self._reload_init.update(library._reload_init)
             self._final_module.link_in(library._get_module_for_linking(), preserve=True)

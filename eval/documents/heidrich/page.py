@@ -84,11 +84,11 @@ def _preface(plan):
     )
     return (
         f"Our golem on our stage, pictures of {scene.size.replace('x', ' x ')} pixels, seed 0; the "
-        "thesis' model and styles are not published, so compare ratios and shapes. It measured a GTX "
-        "1080: a verdict on time says whether a claim holds on a processor too. `simple` is its "
-        "EV, `optimized` its OV (L = 6, two iterations, w = 5, D = 3); `quick`, `best` are ours; "
-        f"`ref` and `StyLit` match every pixel and are guided by {', '.join(GUIDES)}. What is "
-        "studied alone, by default in one style, is "
+        "thesis' model and styles are not published, so compare ratios and shapes. It measured a "
+        "GTX 1080: a verdict on time says whether a claim holds on a processor too. `simple` is "
+        "its EV, `optimized` its OV (L = 6, two iterations, w = 5, D = 3); `quick`, `best` are "
+        f"ours; `ref` and `StyLit` match every pixel and are guided by {', '.join(GUIDES)}. What "
+        "is studied alone, by default in one style, is "
         f"so in {', '.join(plan.preset.studied)}.{note}"
     )
 
