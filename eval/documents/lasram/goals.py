@@ -25,29 +25,44 @@ def goals(plan, quality):
     -------
     list of Claim
     """
-    return [_second_pass(plan), _flowers(plan), _tiles(quality), _beside_quilting(quality)]
+    return [
+        _second_pass(plan),
+        _first_pass(plan),
+        _flowers(plan),
+        _tiles(quality),
+        _beside_quilting(quality),
+    ]
 
 
 def _second_pass(plan):
-    rows = cut_quality(plan).iloc[1:]
+    rows = _cuts(plan)
     two = rows[rows["passes"] == "two"]
     worst = (two["mean of ratios"] - 1).abs().max()
-    one = rows[(rows["passes"] == "one") & (rows["laid over"] == "E zero")]
     return Claim(
         "With a second pass the cut is the best one, but for 1.2 %",
         "4, ours",
-        verdict(
-            worst <= 0.012
-            and (two["ranked first"] >= 0.95).all()
-            and (one["best 95 %, mean"] <= 1.03).all()
-        ),
+        verdict(worst <= 0.012 and (two["ranked first"] >= 0.95).all()),
         "wherever patches are laid and however cuts are weighed, it is on the mean within 1.2 % of "
-        "the optimum and first in 95 %; without a second pass the best 95 % are within 3 % with E "
-        "zero",
-        f"at worst it is {worst:.2%} off the optimum, and first in "
-        f"{two['ranked first'].min():.1%}; without it the best 95 % cost "
-        f"{one['best 95 %, mean'].max():.3f} times the optimum",
+        "the optimum and first in 95 %",
+        f"at worst it is {worst:.2%} off the optimum, and first in {two['ranked first'].min():.1%}",
     )
+
+
+def _first_pass(plan):
+    rows = _cuts(plan)
+    one = rows[(rows["passes"] == "one") & (rows["laid over"] == "E zero")]
+    return Claim(
+        "One pass is within 3 % of the best cut, but for the worst 5 %",
+        "4, ours",
+        verdict((one["best 95 %, mean"] <= 1.03).all()),
+        "the best 95 % of the cuts of one pass cost on the mean at most 1.03 times the optimum, "
+        "with E zero",
+        f"they cost {one['best 95 %, mean'].max():.3f} times the optimum",
+    )
+
+
+def _cuts(plan):
+    return cut_quality(plan).iloc[1:]
 
 
 def _flowers(plan):

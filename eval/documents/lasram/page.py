@@ -137,8 +137,8 @@ def _times_beside_pixels(plan):
         f"{theirs:.0f} ms after its analysis of E; in the paper {printed.RADIUS_128_MS} and "
         f"{printed.PIXELS_MS} ms on a GTX 580. The rival is our own, after Lefebvre and "
         "Hoppe (2005), on one processor. Look at the pictures: a high jitter breaks canes, a low "
-        "one repeats E. So large patches are few in an iteration, and 16 may not be "
-        "enough for them."
+        "one repeats E. Ours has broken canes too: large patches are few in an "
+        "iteration, and 16 iterations may not be enough for them."
     )
 
 
