@@ -73,6 +73,7 @@ class Version(NamedTuple):
     def _environment(self):
         return os.environ | {
             "PYTHONPATH": str(self.folder), "NUMBA_CACHE_DIR": str(self.kernels),
+            "PYTHONSAFEPATH": "1",  # else the version of the current folder would run
         }  # fmt: skip
 
 
