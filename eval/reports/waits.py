@@ -19,16 +19,17 @@ import numba
 import pandas as pd
 from tqdm import tqdm
 
-from eval.methods.ebsynth import CONFIGURATION, write_scene
+from eval.methods.ebsynth import write_scene
 from eval.pages import options as shared
 from eval.pages.page import new_report, shown
 from eval.provenance import provenance
+from eval.reports.bench import FAST
+from eval.runs.busy_programs import spinning_processes
 from eval.runs.process_cost import process_cost
 from eval.scenes import Scene
-from stylit_ref import PRESETS, InputError
+from stylit_ref import InputError
 
-PRESET_FAST = "--preset", "fast", "--uniformity", str(CONFIGURATION["uniformity"])
-FAST = PRESETS["fast"] | {"uniformity": CONFIGURATION["uniformity"]}
+PRESET_FAST = "--preset", "fast", "--uniformity", str(FAST["uniformity"])
 
 SMALL, BUSY, HUGE = (228, 300), (1000, 810), (3648, 4800)
 GUIDES_WHEN_BUSY = 7
@@ -135,19 +136,8 @@ def busy(version, pictures):
     processor_seconds = version.run(images, *PRESET_FAST).processor_seconds
     threads = numba.config.NUMBA_NUM_THREADS
     fair = processor_seconds / threads * max(1, (BESIDE + threads) / os.cpu_count())
-    with _spinning(BESIDE):
+    with spinning_processes(BESIDE):
         return version.run(images, *PRESET_FAST).seconds / fair
-
-
-@contextmanager
-def _spinning(count):
-    programs = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(count)]
-    try:
-        yield
-    finally:
-        for program in programs:
-            program.kill()
-            program.wait()
 
 
 def stylit(version, pictures):
@@ -240,10 +230,10 @@ def main(options):
         sections = [
             provenance(),
             report.table("waits", frame, told),
-            "Both versions in turns, the least of three runs; StyLit, 4800x3648 and the run beside "
-            f"busy programs once. The scene has {scene.size} where no size is named. The fair "
-            "time of a run beside busy programs: its seconds of the processor, alone, over its "
-            "threads, times programs and threads for each processor.",
+            "Two versions take turns. The least of three runs counts; StyLit, 4800x3648 and the "
+            f"run beside busy programs are measured once. The scene has {scene.size} where no size "
+            "is named. The fair time of a run beside busy programs: its seconds of the processor, "
+            "alone, over its threads, times programs and threads for each processor.",
         ]
         report.page(f"Where people wait, on {scene.name}", sections)
     return shown(folder)

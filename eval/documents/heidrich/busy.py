@@ -1,10 +1,7 @@
 """Frames beside other busy programs, and how soon after them a session uses all threads again."""
 
 import os
-import subprocess
-import sys
 import time
-from contextlib import contextmanager
 from dataclasses import dataclass
 
 import numba
@@ -15,6 +12,7 @@ from eval.methods.realtime import Frames
 from eval.on_processor import OnProcessor
 from eval.outcome import Outcome
 from eval.pages.claims import Claim, verdict
+from eval.runs.busy_programs import spinning_processes
 from eval.runs.complete import Task
 from eval.runs.job import Job
 from eval.runs.store import stored
@@ -79,7 +77,7 @@ class BesideOthers(OnProcessor):
         for _ in range(self.trials):
             load = os.getloadavg()[0]
             (quiet,) = self._frames(choice)
-            with spinning_processes():
+            with spinning_processes(SPINNING):
                 self._frames(choice)
                 beside, alone = self._frames(choice, one)
             back = self._seconds_until_all(choice, watch)
@@ -134,22 +132,6 @@ class Watch:
             blend(*arguments)
 
         return watched
-
-
-@contextmanager
-def spinning_processes(count=SPINNING):
-    """Programs that do nothing but keep processors busy, while the block runs."""
-    program = [sys.executable, "-c", "print(flush=True)\nwhile True: pass"]
-    running = [subprocess.Popen(program, stdout=subprocess.PIPE) for _ in range(count)]
-    try:
-        for each in running:
-            each.stdout.readline()  # it has begun
-        yield running
-    finally:
-        for each in running:
-            each.kill()
-        for each in running:
-            each.communicate()
 
 
 @dataclass(frozen=True)

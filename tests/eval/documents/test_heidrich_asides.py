@@ -11,7 +11,7 @@ from data_gen.manifest import Manifest
 from eval.__main__ import main
 from eval.documents.heidrich import stage
 from eval.documents.heidrich.beside import SEEDS, Beside
-from eval.documents.heidrich.busy import BesideOthers, spinning_processes
+from eval.documents.heidrich.busy import BesideOthers
 from eval.documents.heidrich.faults import DENSE, FAULTS, VARIANTS, Faults
 from eval.documents.heidrich.house import BUFFERS, SKETCH, SOURCE, TARGET, Components, house
 from eval.documents.heidrich.outlook import Hybrid
@@ -19,6 +19,7 @@ from eval.documents.heidrich.prototype import InTurns, Prototype, prototype_of
 from eval.methods.realtime import Frames
 from eval.metrics import METRICS, NUMBERS
 from eval.pages.page import new_report
+from eval.runs.busy_programs import spinning_processes
 from eval.runs.complete import complete
 from eval.scenes import BUNDLED
 from stylit_ref import InputError, read_uint8, write_image

@@ -16,8 +16,8 @@ def test_both_versions_are_measured(folder, monkeypatch, capsys):
     for name in ("SMALL", "BUSY", "HUGE"):
         monkeypatch.setattr(waits, name, (38, 44))
     monkeypatch.setattr(waits, "BESIDE", 1)
-    names = "fast,busy,huge,memory,small,files"
-    command = ["waits", "--scene", str(folder), "--before", str(ROOT), "--waits", names]
+    names = "fast", "busy", "huge", "memory", "small", "files"
+    command = ["waits", "--scene", str(folder), "--before", str(ROOT), "--waits", ",".join(names)]
     assert main(command) == 0
     table = pd.read_csv(folder.parent / "build" / "reports" / "waits_small_44x38" / "waits.csv")
     assert list(table.columns) == ["wait", "before", "now", "goal"]
