@@ -43,8 +43,8 @@ class KernelLibrary(JITCodeLibrary):
                 function.name = f"private.{function.name}"
 
 
-class PartLibrary(KernelLibrary):
-    """Code that is linked into the kernels that call it, as it was lowered."""
+class PartLibrary(JITCodeLibrary):
+    """Code that is linked into the kernels that call it."""
 
     def finalize(self) -> None:
         """Take in what it calls itself; no machine code is made."""
@@ -54,7 +54,7 @@ class PartLibrary(KernelLibrary):
         self._finalized = True
 
 
-def new_library(kind: type[KernelLibrary], name: str) -> KernelLibrary:
+def new_library(kind: type[JITCodeLibrary], name: str) -> JITCodeLibrary:
     """An empty library."""
     library = kind(cpu_target.target_context.codegen(), name)
     library.enable_object_caching()  # so that it can be kept on disk
