@@ -43,8 +43,17 @@ def test_this_process_does_the_first(tmp_path):
     assert begun[0] == 0
 
 
+@pytest.fixture
+def forks(monkeypatch):
+    """The numbers of the forks, whatever threads the tests before have left in this process."""
+    begun, fork = [], os.fork
+    monkeypatch.setattr(shared_work, "_processes", lambda: 3)
+    monkeypatch.setattr(os, "fork", lambda: begun.append(fork()) or begun[-1])
+    return begun
+
+
 @only_with_forks
-def test_what_a_fork_fails_at_is_left_undone(tmp_path):
+def test_what_a_fork_fails_at_is_left_undone(tmp_path, forks):
     own = os.getpid()
 
     def fail_elsewhere(number):
@@ -53,13 +62,13 @@ def test_what_a_fork_fails_at_is_left_undone(tmp_path):
         write(tmp_path, number)
 
     share([partial(fail_elsewhere, number) for number in range(5)], ignore)
+    assert forks
     assert 0 in written(tmp_path)
 
 
 @only_with_forks
-def test_an_error_ends_the_forks(monkeypatch):
-    own, fork, forks = os.getpid(), os.fork, []
-    monkeypatch.setattr(os, "fork", lambda: forks.append(fork()) or forks[-1])
+def test_an_error_ends_the_forks(forks):
+    own = os.getpid()
 
     def wait_elsewhere():
         if os.getpid() == own:
