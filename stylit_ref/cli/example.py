@@ -21,8 +21,8 @@ def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
         "example",
         help="copy the bundled scenes and say how to stylize one",
         description="Copy the bundled scenes into a folder: seven targets, a house, and a sphere "
-        "painted in four styles.\nPrint a command that stylizes one, and one for three frames of a "
-        "camera that moves. In a folder of scenes, copy only what is missing.",
+        "painted in four\nstyles. Print a command that stylizes one, and one for three frames of a "
+        "camera that\nmoves. In a folder of scenes, copy only what is missing.",
     )
     parser.set_defaults(command=run, parser=parser)
     parser.add_argument("folder", metavar="FOLDER", help="where to copy them, for instance scenes")

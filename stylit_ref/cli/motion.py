@@ -118,6 +118,9 @@ def _samples(guides: Sequence[str], motions: Sequence[str]) -> Iterator[Sample]:
         )
     pictures, vectors = FramePattern(guides[0]), FramePattern(motions[0])
     shown, there = pictures.frames(), vectors.frames()
+    for files, found, parameter in ((pictures, shown, "guide"), (vectors, there, "motion")):
+        if not found:
+            raise InputError(f"{files.text}: there is no file of such a name", parameter=parameter)
     if vectors.names_pairs:
         yield from _of_pairs(pictures, vectors, shown)
         return

@@ -96,6 +96,16 @@ def test_vectors_without_pictures_beside_them_are_refused(capsys, shot):
     assert message.endswith("there are no two neighbouring frames")
 
 
+@pytest.mark.parametrize(
+    ("pictures", "vectors", "option"),
+    [("circle.%d.png", "ahead.%d.flo", "guide"), ("square.%d.png", "back.%d.flo", "motion")],
+)
+def test_patterns_that_no_file_fits_are_refused(capsys, shot, pictures, vectors, option):
+    message = refused(capsys, check("--guide", shot / pictures, "--motion", shot / vectors))
+    assert f"--{option} " in message
+    assert message.endswith("there is no file of such a name")
+
+
 def test_one_file_of_vectors_for_a_shot_is_refused(capsys, shot):
     words = "--guide", shot / "square.%d.png", "--motion", shot / "0_to_1.flo"
     assert "names one file, and --guide those of a shot" in refused(capsys, check(*words))
