@@ -117,13 +117,11 @@ def _samples(guides: Sequence[str], motions: Sequence[str]) -> Iterator[Sample]:
             parameter="motion",
         )
     pictures, vectors = FramePattern(guides[0]), FramePattern(motions[0])
-    shown, there = pictures.frames(), vectors.frames()
-    for files, found, parameter in ((pictures, shown, "guide"), (vectors, there, "motion")):
-        if not found:
-            raise InputError(f"{files.text}: there is no file of such a name", parameter=parameter)
+    shown = _frames(pictures, "guide")
     if vectors.names_pairs:
         yield from _of_pairs(pictures, vectors, shown)
         return
+    there = _frames(vectors, "motion")
     usable = [frame for frame in there if {frame - 1, frame + 1} & set(shown) and frame in shown]
     inner = [frame for frame in usable if {frame - 1, frame + 1} <= set(shown)]
     if not usable:
@@ -140,6 +138,14 @@ def _samples(guides: Sequence[str], motions: Sequence[str]) -> Iterator[Sample]:
             read_vectors(path),
             {step: (own, _shown(pictures, frame + step)) for step in near},
         )
+
+
+def _frames(pattern: FramePattern, parameter: str):
+    """The frames that there are files of."""
+    frames = pattern.frames()
+    if not frames:
+        raise InputError(f"{pattern.text}: there is no file of such a name", parameter=parameter)
+    return frames
 
 
 def _of_pairs(pictures: FramePattern, vectors: FramePattern, shown: Sequence[int]):
