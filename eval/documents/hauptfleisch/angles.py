@@ -153,15 +153,15 @@ def claims(data, style):
 
 _RULES = (
     (
-        ("The painted view itself comes out as it was painted", "5.4, 5.10, 5.16"),
+        ("The painted view itself comes out as it was painted", "Figs. 5.4, 5.10, 5.16"),
         f"it differs from the painting by at most {MOST_APART:g} of 255 steps on the mean",
     ),
     (
-        ("The farther a view lies from the painted one, the less fits it", "2.11"),
+        ("The farther a view lies from the painted one, the less fits it", "Fig. 2.11"),
         "the error of guides, the mean of both sides, rises from 0 to 10, to 20 and to 30 degrees",
     ),
     (
-        ("For the opposite side the painting has too little", "2.11"),
+        ("For the opposite side the painting has too little", "Fig. 2.11"),
         "behind the house the error of guides and the share of lost lines are both larger than at "
         "any angle up to 30 degrees",
     ),

@@ -183,7 +183,7 @@ def _unmodified(numbers):
     }  # fmt: skip
     return Claim(
         "Unmodified StyLit leaves noise on white and loses lines",
-        "2.2",
+        "Fig. 2.2",
         verdict(all(worse)) if found else OPEN,
         "in every sketch both are more than with `--preset architecture`",
         f"from it to the preset noise and lost lines go from {by_case(told)}"
@@ -198,7 +198,7 @@ def _bent(numbers):
     found = dict(zip(crooked["style"], crooked["crooked"], strict=True))
     return Claim(
         "Straight lines come out bent",
-        "5.20",
+        "Fig. 5.20",
         verdict(min(found.values()) > 1) if found else OPEN,
         "in every sketch they lie farther off straight than those of the painting, although the "
         "wireframe guides",

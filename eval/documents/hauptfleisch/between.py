@@ -219,7 +219,7 @@ _VIEWS = "the views themselves"
 _CLAIMS = (
     (
         "Views that were not stylized coherently jump where the closest one changes",
-        "3.3, 3.7",
+        "3.3, Fig. 3.7",
         "with the limited search the largest change at a switch is at least 1.25 times as large "
         "without coherence",
         ("limited", "limited, views stylized alone"),
@@ -230,7 +230,7 @@ _CLAIMS = (
     ),
     (
         "Shifting NNFs looks calmer than shifting images",
-        "3.3.2, 3.5",
+        "3.3.2, Fig. 3.5",
         "the median change and the largest at a switch are both smaller",
         ("image", "nnf"),
         ("change", "switch"),
@@ -238,7 +238,7 @@ _CLAIMS = (
     ),
     (
         "The limited search removes what shifted NNFs leave",
-        "3.3.2, 3.6",
+        "3.3.2, Fig. 3.6",
         "the largest change at a switch is smaller, and the gradient in the middle is not",
         ("nnf", "limited"),
         ("switch", "middle"),
@@ -269,7 +269,7 @@ _CLAIMS = (
     ),
     (
         "Outlines that leave their thing turn into ghosts where masks know only the thing",
-        "5.2 to 5.4",
+        "3.3.1, 5.1, 5.2",
         "with the thesis' masks there are at least 1.5 times as many ghosts as in the views, and "
         "fewer outlines",
         (THESIS, "limited", _VIEWS),
@@ -281,7 +281,7 @@ _CLAIMS = (
     ),
     (
         "Interpolated views look like stylized ones",
-        "3.8, 5.5 to 5.8, 5.11 to 5.14, 5.17 to 5.20",
+        "Figs. 3.8, 5.5 to 5.8, 5.11 to 5.14, 5.17 to 5.20",
         "the limited search keeps at least 0.9 of the gradient of a view that is left out, and its "
         "error is less than that of a linear blend",
         ("limited", "linear"),
@@ -292,7 +292,7 @@ _CLAIMS = (
     ),
     (
         f"Shifting images is {PUBLISHED_RATIO:g} times as fast as shifting NNFs",
-        "4.2",
+        "4.2.3",
         "a picture of `limited` takes 1.5 to 2.5 times the processor time of one of `image`, by "
         "the least of several rounds; the thesis has 60 and 30 frames a second",
         ("image", "limited"),

@@ -66,28 +66,28 @@ def claims(has_pictures):
     )
     return [
         Claim(
-            "Thin things and their shadow are lost, as crosses on a roof", "5.3", OPEN,
+            "Thin things and their shadow are lost, as crosses on a roof", "Fig. 5.3", OPEN,
             "fewer of the cross' pixels than of other parts are taken from a cross",
             "the chapel that has one is not part of this report; `make data SCENES=chapel` renders "
             "it",
         ),
         Claim(
-            "Two walls that look alike to the guides and are drawn differently are mixed", "5.12",
-            OPEN, "a wall has pixels of both drawings", f"{seen} brick from boards",
+            "Two walls that look alike to the guides and are drawn differently are mixed",
+            "Fig. 5.12", OPEN, "a wall has pixels of both drawings", f"{seen} brick from boards",
         ),
         Claim(
-            "A shadow that was drawn small blurs where it covers more", "5.18", OPEN,
+            "A shadow that was drawn small blurs where it covers more", "Fig. 5.18", OPEN,
             "it is less sharp than the painting's",
             f"{seen} a shadow's sharpness from that of its edge",
         ),
         Claim(
-            "Six cores make a frame in a fifth of the time of one (312 and 61 seconds)", "4.1",
+            "Six cores make a frame in a fifth of the time of one (312 and 61 seconds)", "4.1.2",
             OPEN, "the ratio of both times is at least 5.1 on six cores",
             "frames would have to be timed alone on a machine of six cores",
             of_time=True,
         ),
         Claim(
-            "Neural networks do not keep the artist's strokes", "1.1", OPEN,
+            "Neural networks do not keep the artist's strokes", "Fig. 1.1", OPEN,
             "their pictures are farther from the painting by a number that sees strokes",
             "this project has no neural network to compare with",
         ),

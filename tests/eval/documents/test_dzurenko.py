@@ -78,7 +78,7 @@ def test_tables_have_published_and_own_numbers(folder):
     assert table.loc["ε = 100", "published ref/time"] == 2.847
     assert not table.drop(columns="published ref/time").loc["ε = 100"].isna().any()
     claims = pd.read_csv(folder / "report" / "claims.csv")
-    assert len(claims) == 8
+    assert len(claims) == 14
     assert set(claims["verdict"]) <= {HELD, NOT_HELD, OPEN}
     quality = pd.read_csv(folder / "report" / "quality_golem.csv").set_index("method")
     assert (quality[["coverage", "entropy"]] <= 1).all(axis=None)
