@@ -141,7 +141,7 @@ print(f"seams in the disc {hidden[polar.radius_at < R * 256].sum():.0f}, in the 
 
 # %%
 J = 3
-rng = np.random.default_rng(4)
+rng = np.random.default_rng(5)
 table_rows, table_columns = 90, 60
 valley = 30 + 12 * np.sin(np.arange(table_rows) * 2 * np.pi / table_rows)
 distance = abs(np.arange(table_columns) - valley[:, None])

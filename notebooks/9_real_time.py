@@ -117,9 +117,9 @@ plt.show()
 # %%
 fig, place = plt.subplots(figsize=(6, 2.5), layout="constrained")
 levels = range(6)
-for name in REALTIME_PRESETS:
-    params = RealtimeParams.preset(name)
-    place.step(levels, [params.mu_at(k) / 16 for k in levels], where="mid", label=name)
+for name, line in zip(REALTIME_PRESETS, ("-", "--", "-.", ":"), strict=True):
+    mu = [RealtimeParams.preset(name).mu_at(k) / 16 for k in levels]
+    place.step(levels, mu, line, where="mid", label=name)
 place.invert_xaxis()
 place.set(xlabel="level, the coarsest first", ylabel="μ")
 place.legend()

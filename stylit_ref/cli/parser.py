@@ -16,6 +16,9 @@ EBSYNTH = (
 )  # fmt: skip
 """Options of ebsynth, which have one dash there."""
 
+SYMBOLS = {"lambda": "uniformity"}
+"""What the theses call a parameter whose name here is another."""
+
 EBSYNTH_PAGE = (
     "https://github.com/stylit-ref/stylit-ref/blob/main/docs/how_to/from_ebsynth.md "
     "has every option of ebsynth"
@@ -134,10 +137,12 @@ class Parser(argparse.ArgumentParser):
         return f"write {flag}={word}, since what begins with a dash looks like an option"
 
     def _meant(self, flag):
-        """The option of the same letters, whatever the dashes, or of that name in Python."""
+        """The option of these letters, whatever the dashes, of that name in Python or symbol."""
+        meant = _letters(flag)
+        meant = SYMBOLS.get(meant, meant)
         for action in self._actions:
             for known in action.option_strings:
-                if _letters(flag) in (_letters(known), _letters(action.dest)):
+                if meant in (_letters(known), _letters(action.dest)):
                     return known
         return None
 

@@ -24,6 +24,7 @@ def refusal(capsys, command):
         ("run --patchsize 5", "--patchsize: did you mean --patch-size?"),
         ("run --frobnicate", "there is no option --frobnicate"),
         ("run --levels 5", "--levels: did you mean --pyramid-levels?"),
+        ("run --lambda 5000", "--lambda: did you mean --uniformity?"),
         ("run --guide-weights 5", "--guide-weights: did you mean --weight?"),
         ("run --quiet --style s -x.png", "there is no option -x.png"),
         ("run --guide a -b.png", "--guide -b.png: a name cannot begin with a dash; write ./-b.png"),
