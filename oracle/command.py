@@ -154,8 +154,10 @@ def _stages(text, known):
     wanted = [name.strip() for name in text.split(",")]
     for name in wanted:
         if name not in known:
+            others = [version for version in FAMILY_OF if name in stages_of(version)]
+            remedy = f"write --cases {others[-1]}" if others else f"they are {', '.join(known)}"
             raise InputError(
-                f"names {name!r}, which is not a stage; the stages are {', '.join(known)}",
+                f"names {name!r}, which is not a stage of these cases; {remedy}",
                 parameter="stages",
             )
     return [stage for stage in known if stage in wanted]

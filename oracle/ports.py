@@ -178,4 +178,6 @@ def import_port(name: str) -> ModuleType:
         return import_module(name)
     except (Exception, SystemExit) as error:
         what = f"{type(error).__name__}: {error}"
+        if name.endswith(".py"):
+            what = f"Python imports modules by name; write {name.removesuffix('.py')}"
         raise InputError(f"{name!r} cannot be imported: {what}", parameter="module") from None

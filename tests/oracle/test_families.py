@@ -93,14 +93,14 @@ def run(folder, arguments):
         (
             "check --cases made_up/v1 --stages philox",
             2,
-            "which is not a stage; the stages are double",
+            "which is not a stage of these cases; write --cases v1",
         ),
         ("check --module doubling", 2, "neither run_case nor a pass of stylit_ref.passes"),
         ("check --stages knee", 0, "1 passed\n"),
         (
             "check --cases v1 --stages double",
             2,
-            "'double', which is not a stage; the stages are philox",
+            "'double', which is not a stage of these cases; write --cases made_up/v1",
         ),
         ("make made_up/v1", 2, "made_up/v1 is published and never changes"),
     ],
