@@ -10,6 +10,8 @@ from importlib.util import find_spec
 from pathlib import Path
 from pkgutil import iter_modules
 
+from tqdm import tqdm
+
 import eval.documents
 import eval.reports
 from stylit_ref import InputError
@@ -69,4 +71,5 @@ def _text_of(module):
 if __name__ == "__main__":
     heed_interruptions()
     sleep_while_waiting()
+    tqdm.monitor_interval = 0  # beside its thread, kernels are not compiled in forks
     sys.exit(main())

@@ -2,16 +2,19 @@
 
 import time
 from dataclasses import dataclass, field
+from functools import partial
 
 import numpy as np
 
 from eval.on_processor import OnProcessor
 from eval.outcome import Outcome
+from stylit_ref.machine.compilation import compiling_together
 from stylit_ref.realtime import passes
 from stylit_ref.realtime.packing import choose_packing, pack
 from stylit_ref.realtime.packing.stage import STAGE_BUFFERS
 from stylit_ref.realtime.params import RealtimeParams
 from stylit_ref.realtime.session import Session
+from stylit_ref.realtime.warm_up import kernels_of_frame
 
 
 @dataclass(frozen=True)
@@ -96,8 +99,9 @@ class Frames:
 
     def frame(self):
         """A cold frame from the caller's buffers, packing included; (H, W, 3) uint8."""
-        self.take()
-        return self.session.frame()
+        with compiling_together(partial(kernels_of_frame, self.session.params, self.packing)):
+            self.take()
+            return self.session.frame()
 
 
 def outcome_of(frames, step):

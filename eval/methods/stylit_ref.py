@@ -2,6 +2,7 @@
 
 import time
 from dataclasses import asdict, dataclass, field, replace
+from functools import partial
 
 import numpy as np
 import pandas as pd
@@ -9,8 +10,10 @@ import pandas as pd
 from eval.device import device
 from eval.outcome import Outcome
 from stylit_ref.machine.code_digest import code_digest
+from stylit_ref.machine.compilation import compiling_together
 from stylit_ref.stylization.params import Params
 from stylit_ref.stylization.stylize import stylize
+from stylit_ref.stylization.warm_up import kernels_of_run
 
 _CODE = code_digest(__file__, without=("gpu_cuda",))
 _CODE_ON_GPU = code_digest(__file__)
@@ -109,10 +112,12 @@ class StylitRef:
 def compile_kernels(scene, params, backend="cpu"):
     """Run the same kernels on a corner of the scene, so that timings include no compilation."""
     corner = np.s_[: 4 * params.patch_width, : 4 * params.patch_width]
-    stylize(
-        scene.style[corner],
-        [guide[corner] for guide in scene.source_guides],
-        [guide[corner] for guide in scene.target_guides],
-        replace(params, levels=2, votes=1, patchmatch_iterations=1, uniformity=1e4),
-        backend=backend,
-    )
+    style, *guides = (np.atleast_3d(each).shape[2] for each in (scene.style, *scene.source_guides))
+    with compiling_together(partial(kernels_of_run, params, style, guides)):
+        stylize(
+            scene.style[corner],
+            [guide[corner] for guide in scene.source_guides],
+            [guide[corner] for guide in scene.target_guides],
+            replace(params, levels=2, votes=1, patchmatch_iterations=1, uniformity=1e4),
+            backend=backend,
+        )

@@ -67,7 +67,7 @@ def distance_to_nearest(wanted, cloud):
     """
     mean = cloud.mean(axis=0)
     axes = np.linalg.eigh(np.cov(cloud, rowvar=False))[1][:, -COMPONENTS:]
-    _, nearest = cKDTree((cloud - mean) @ axes).query((wanted - mean) @ axes, k=3)
+    _, nearest = cKDTree((cloud - mean) @ axes).query((wanted - mean) @ axes, k=3, workers=-1)
     squares = ((cloud[nearest] - wanted[:, None]) ** 2).mean(axis=2)
     return float(np.sqrt(squares.min(axis=1)).mean())
 

@@ -15,6 +15,12 @@ _COMPILATION = "{desc} |{bar}| {elapsed}"
 _RUN = "{percentage:3.0f}% |{bar}| {elapsed}<{remaining}  {desc}"
 
 
+class _Bar(tqdm):
+    """A bar without a thread of its own, beside which kernels are not compiled in forks."""
+
+    monitor_interval = 0
+
+
 class ProgressLine:
     """One line on stderr: frames that are looked at, kernels that are compiled, then the run.
 
@@ -37,7 +43,7 @@ class ProgressLine:
         self.is_shown: bool = not quiet and sys.stderr.isatty()
         self._quiet = quiet
         self._verbose = verbose
-        self._bar: tqdm | None = None
+        self._bar: _Bar | None = None
         self._runs = False
         self._together = ExitStack()
 
@@ -98,7 +104,10 @@ class ProgressLine:
 
     def _open(self, layout, **settings):
         self._close()
-        self._bar = tqdm(file=sys.stderr, disable=not self.is_shown, bar_format=layout, **settings)
+        # The thread would show late steps; without it, none is left out that is late enough.
+        self._bar = _Bar(
+            file=sys.stderr, disable=not self.is_shown, bar_format=layout, miniters=0, **settings
+        )
 
     def _close(self):
         if self._bar is not None:

@@ -32,7 +32,7 @@ STYLES = {
 BACKGROUND = "golem"
 """The target of the figures that show a single one (1.1 and 2.3); it is run with three seeds."""
 
-ROUNDS = 3
+ROUNDS = 2
 """How often a run is done whose time is judged: that of the first seed, but for StyLit."""
 
 PRESETS = {"quick": BUNDLED, "thesis": Path("build/data/1200x912")}
