@@ -29,6 +29,10 @@ class Kept:
         self._entries[key] = self._entries.pop(key)  # to the end
         return self._entries[key][0]
 
+    def take(self, key: Hashable) -> Any:
+        """The value of a key, which is not kept any more, or None."""
+        return self._remove(key)
+
     def add(self, key: Hashable, value: Value, size: int) -> Value:
         """Keep a value of so many bytes, and return it."""
         self._remove(key)
@@ -44,5 +48,6 @@ class Kept:
             self._remove(key)
 
     def _remove(self, key):
-        _, size = self._entries.pop(key, (None, 0))
+        value, size = self._entries.pop(key, (None, 0))
         self._total -= size
+        return value

@@ -82,12 +82,13 @@ class Workbench:
             If guides or motion of the frame do not fit.
         """
         params, seed = self._problem.params, self._problem.seed
-        level = self._level(task)
+        level, stands_at = self._level(task)
         passes = level.passes
         if task.vote:
             assert before is not None
-            level.set_nnf(before.nnf)
-            level.init_occurrence_map()
+            if stands_at is not before:
+                level.set_nnf(before.nnf)
+                level.init_occurrence_map()
             neighbours = [
                 Neighbour(self._places(task, other), self._halved(task, other, picture))
                 for other, picture in pictures.items()
@@ -106,7 +107,10 @@ class Workbench:
             coarse = passes.upload(before.nnf)
             passes.upsample_nnf(coarse, level.nnf, level.patch_width, *level.omega.shape)
         level.update_style()
-        return State(np.array(passes.download(level.nnf)), np.ascontiguousarray(level.style))
+        state = State(np.array(passes.download(level.nnf)), np.ascontiguousarray(level.style))
+        # Ω is that of the NNF only after a search: beginning a level does not need it.
+        self._keep_level(task, level, state if task.vote else None)
+        return state
 
     def forget(self, frame: int) -> None:
         """Free what was kept of a frame that is finished."""
@@ -134,11 +138,14 @@ class Workbench:
         return self._exemplars[style]
 
     def _level(self, task):
-        """The level of a task's frame, with the arrays that its search works on."""
+        """The level of a task's frame, with the arrays that its search works on.
+
+        Beside it the state whose NNF and occurrence map it holds, or None.
+        """
         depth, params = self._depth(task), self._problem.params
-        key = "level", task.frame, depth
-        level = self._kept.get(key)
-        if level is None:
+        # Whoever fails at the task leaves no level that is half searched.
+        kept = self._kept.take(("level", task.frame, depth))
+        if kept is None:
             exemplar, texture = self._exemplar(task.frame), self._texture(task)
             passes, packing, width = exemplar.passes, exemplar.packing, params.patch_width
             padded = passes.repeat_edge(texture, width // 2)
@@ -146,8 +153,12 @@ class Workbench:
             level = Level(exemplar.level(depth), target, params)
             # Nobody goes back to a coarser level.
             self._kept.forget(lambda each: each[1] == task.frame and each[-1] > depth)
-            self._kept.add(key, level, _bytes_of(level))
-        return level
+            return level, None
+        return kept
+
+    def _keep_level(self, task, level, state):
+        size = _bytes_of(level) + (state.nbytes if state else 0)
+        self._kept.add(("level", task.frame, self._depth(task)), (level, state), size)
 
     def _synthesized(self, task):
         """The pixels of a task's level whose patches take part; None for all."""

@@ -23,6 +23,15 @@ def test_the_largest_goes_first_and_of_equal_ones_that_used_least_recently():
     assert [kept.get(key) for key in ("a", "c", "small")] == ["a", "c", "small"]
 
 
+def test_what_is_taken_leaves_its_room():
+    kept = Kept(10)
+    for key in ("a", "b"):
+        kept.add(key, key, 5)
+    assert (kept.take("a"), kept.take("a")) == ("a", None)
+    kept.add("c", "c", 5)
+    assert (kept.get("b"), kept.get("c")) == ("b", "c")
+
+
 def test_one_that_is_too_large_stays_until_the_next():
     kept = Kept(10)
     kept.add("large", 1, 99)
