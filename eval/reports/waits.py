@@ -48,7 +48,8 @@ class Version(NamedTuple):
     def run(self, images, *options):
         """The cost of ``stylit-ref run``."""
         style, pairs = images
-        command = [sys.executable, "-m", "stylit_ref", "run", "--quiet", *options]
+        # Older versions have no stylit_ref.__main__.
+        command = [sys.executable, "-m", "stylit_ref.cli", "run", "--quiet", *options]
         command += ["--style", style, "--output", self.kernels / "out.png"]
         for pair in pairs:
             command += ["--guide", *pair]
