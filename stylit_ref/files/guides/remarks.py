@@ -71,8 +71,9 @@ class GuideRemarks:
             if encoding.kind == "labels":
                 self._add_labels(source.picture, target.picture)
             else:
-                self._add_difference(source, target)
-                self._add_difference(target, source)
+                colourful = _colourful(source), _colourful(target)
+                self._add_difference(source, target, *colourful)
+                self._add_difference(target, source, *colourful[::-1])
 
     def _add_side(self, side, encoding):
         pixels, is_float = side.picture.pixels, side.picture.pixels.dtype == np.float32
@@ -86,13 +87,13 @@ class GuideRemarks:
             if clipped > 0.05:
                 self._found[_CLIPPED][f"{clipped:.0%} of {side.path}"] = None
 
-    def _add_difference(self, one, other):
+    def _add_difference(self, one, other, colourful, other_colourful):
         """What one side has and the other has not."""
         if one.picture.alpha_channel is not None and other.picture.alpha_channel is None:
             said = f"{one.path} is transparent in parts and {other.path} nowhere"
             self._found[_TRANSPARENT][said] = None
         is_light = one.picture.is_light and other.picture.is_light
-        if is_light and _colourful(one.guide) > 0.05 and _colourful(other.guide) == 0:
+        if is_light and colourful > 0.05 and other_colourful == 0:
             self._found[_GREY][f"{one.path} has colours and {other.path} is grey"] = None
 
     def _add_labels(self, source, target):
@@ -141,8 +142,12 @@ def _clipped(picture, encoding):
     return float(np.mean(is_below | ((colours > high) & (colours < FAR))))
 
 
-def _colourful(guide):
+def _colourful(side):
     """Share of the pixels whose colour is no grey."""
-    if guide.shape[2] < 3:
+    if side.guide.shape[2] < 3:
         return 0.0
-    return float(np.mean(np.ptp(guide[:, :, :3], axis=2) > _VISIBLE))
+    # Channel by channel: along the last axis NumPy takes fifteen times as long.
+    red, green, blue = (np.ascontiguousarray(side.guide[:, :, channel]) for channel in range(3))
+    most = np.maximum(np.maximum(red, green), blue)
+    least = np.minimum(np.minimum(red, green), blue)
+    return float(np.mean(most - least > _VISIBLE))
