@@ -2,6 +2,7 @@
 
 import re
 import sys
+import threading
 
 import numba
 import numpy as np
@@ -41,6 +42,14 @@ def test_stylit_tells_what_is_placed(scene, shown):
     last = shown(scene[0], "--method", "stylit", "--verbose")[-2]
     pattern = r"100%.*level 2 of 2 .*, round 1, \d+% placed  δ \d+  retrieval \d+"
     assert re.search(pattern, last)
+
+
+def test_a_bar_begins_no_thread_beside_which_nothing_forks(monkeypatch):
+    monkeypatch.setattr("sys.stderr.isatty", lambda: True, raising=False)
+    before = threading.active_count()
+    with ProgressLine(quiet=False) as line:
+        line.look(0, 2)
+        assert threading.active_count() == before
 
 
 @pytest.fixture
