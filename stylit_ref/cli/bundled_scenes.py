@@ -39,10 +39,20 @@ def bundled_source() -> Path:
     return next(folder for folder in _folders() if folder.is_dir()) / "source"
 
 
-def bundled_style(name: str) -> Path | None:
-    """A painting of that sphere by its name, such as ``oil``; None if there is none."""
-    styles = bundled_source() / "styles"
-    return next((style for style in styles.iterdir() if style.stem == name), None)
+def bundled_style(name: str) -> Path:
+    """A painting of that sphere by its name, such as ``oil``.
+
+    Raises
+    ------
+    InputError
+        If there is none.
+    """
+    styles = {style.stem: style for style in sorted((bundled_source() / "styles").iterdir())}
+    if name not in styles:
+        raise InputError(
+            f"{name}: no such file, and no bundled painting; those are {', '.join(styles)}"
+        )
+    return styles[name]
 
 
 def _folders() -> tuple[Path, Path]:

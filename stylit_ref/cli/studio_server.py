@@ -66,7 +66,7 @@ def _beginning(options: argparse.Namespace, shelf: Shelf, folder: PaintingFolder
     """What there is to paint on."""
     style, watched = options.style, options.watch
     if style and options.source is None and not is_there(style):
-        style = bundled_style(style) or style
+        style = bundled_style(style)
     if watched and real_path(watched) == real_path(folder.style):
         raise InputError(
             f"is {watched}, where the studio itself saves; watch another file", parameter="watch"

@@ -96,6 +96,11 @@ def test_a_watched_file_that_is_there_is_the_painting(served):
     assert np.array_equal(served["beginning"].saved.painting, painting)
 
 
+def test_a_style_that_is_neither_a_file_nor_bundled_leads_to_those_that_are(served, capsys):
+    said = refused(capsys, studio("--style", "oils", "--port", "0"))
+    assert "oils: no such file, and no bundled painting; those are crayon, oil, pen" in said
+
+
 @pytest.mark.parametrize(
     ("more", "sentence"),
     [

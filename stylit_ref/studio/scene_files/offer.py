@@ -51,7 +51,8 @@ class Offer:
             theirs = ", ".join(self.targets[0])
             raise InputError(
                 f"{self.title}: has no layer that its source has, too; there they are called "
-                f"{', '.join(self.source)}, here {theirs}"
+                f"{', '.join(self.source)}, here {theirs}; name files alike, such as "
+                "sphere/FULL.png and robot/FULL.png"
             )
 
     @property
