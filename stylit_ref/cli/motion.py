@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from stylit_ref.cli.frame_files import refuse_star
+from stylit_ref.cli.frame_files import refuse_star, why_missing
 from stylit_ref.cli.motion_in import check_convention
 from stylit_ref.cli.parser import FRAMES, Parser
 from stylit_ref.errors import InputError
@@ -144,7 +144,7 @@ def _frames(pattern: FramePattern, parameter: str):
     """The frames that there are files of."""
     frames = pattern.frames()
     if not frames:
-        raise InputError(f"{pattern.text}: there is no file of such a name", parameter=parameter)
+        raise InputError(why_missing(pattern.text, frames, ()), parameter=parameter)
     return frames
 
 

@@ -4,7 +4,7 @@ import argparse
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
 
-from stylit_ref.cli.frame_files import counted, pattern_of
+from stylit_ref.cli.frame_files import counted, pattern_of, why_missing
 from stylit_ref.cli.motion_files import MotionFiles, VectorsOfFrames, vectors_of_pairs
 from stylit_ref.cli.parser import FRAMES
 from stylit_ref.cli.shot_problems import ShotProblems
@@ -154,7 +154,7 @@ def _passed(pattern: FramePattern, frames, convention, problems) -> dict[int, st
     """The files of all frames from the first to the last, those that are left out among them."""
     there = {frame: pattern.path(frame) for frame in pattern.frames()}
     if not there:
-        problems.add(f"{pattern.text}: there is no file of such a name")
+        problems.add(why_missing(pattern.text, (), ()))
         return {}
     try:
         steps = _steps(convention, next(iter(there.values())))

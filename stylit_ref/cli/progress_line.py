@@ -104,7 +104,7 @@ class ProgressLine:
 
     def _open(self, layout, **settings):
         self._close()
-        # The thread would show late steps; without it, none is left out that is late enough.
+        # miniters=0: every step is shown that comes a tenth of a second after the one shown last.
         self._bar = _Bar(
             file=sys.stderr, disable=not self.is_shown, bar_format=layout, miniters=0, **settings
         )
