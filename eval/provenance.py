@@ -13,9 +13,10 @@ from stylit_ref import __version__
 
 def provenance():
     """One line with the machine, the versions and the commit of a report."""
+    threads = numba.get_num_threads()
     return (
         f"stylit-ref {__version__}, commit {_COMMIT}; {processor()}, "
-        f"{numba.config.NUMBA_NUM_THREADS} threads; Python {platform.python_version()}, "
+        f"{threads} thread{'s' if threads > 1 else ''}; Python {platform.python_version()}, "
         f"numba {numba.__version__}; {date.today().isoformat()}"
     )
 

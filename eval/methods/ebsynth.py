@@ -41,6 +41,7 @@ class Ebsynth:
     patchmatch_iterations: int = 4
 
     cost = 10.0
+    by_the_clock = True
 
     @property
     def name(self):

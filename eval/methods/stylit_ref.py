@@ -58,6 +58,11 @@ class StylitRef:
         return device(self.backend)
 
     @property
+    def by_the_clock(self):
+        """Whether times by the clock count: those of a GPU."""
+        return self.backend != "cpu"
+
+    @property
     def cost(self):
         """More for StyLit, whose retrievals are additional searches."""
         return self.rounds * (6.0 if self.params.method == "stylit" else 1.0)

@@ -32,6 +32,7 @@ class TextureProgram:
     arguments: tuple[str, ...]
 
     cost = 20.0
+    by_the_clock = True
 
     @property
     def code(self):

@@ -1,7 +1,6 @@
 """How similar the patches of an image are, as a whole, to those of the style."""
 
 import numpy as np
-import ot
 from skimage.util import view_as_windows
 
 from eval.number import Number
@@ -42,6 +41,8 @@ def patch_distance(image, style, patch_width=5, seed=0):
         Root mean square over the directions, in 8-bit steps; 0 for the same image. For different
         images it stays above 0, since the patches are random samples.
     """
+    import ot  # imported late: it takes most of a second, and old numbers need none
+
     clouds = (_patches(each, patch_width, np.random.default_rng(seed)) for each in (image, style))
     return float(ot.sliced_wasserstein_distance(*clouds, n_projections=PROJECTIONS, seed=seed))
 

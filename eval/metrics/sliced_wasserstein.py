@@ -1,7 +1,6 @@
 """Whether a texture has the patches of its exemplar, and as often."""
 
 import numpy as np
-import ot
 from skimage.util import view_as_windows
 
 from eval.number import Number
@@ -38,6 +37,8 @@ def sliced_wasserstein(image, exemplar):
     float
         In 8-bit steps. Since patches are random samples, it stays above 0.
     """
+    import ot  # imported late: it takes most of a second, and old numbers need none
+
     clouds = _patches(image, PATCHES, 1), _patches(exemplar, OF_EXEMPLAR, 2)
     return float(ot.sliced_wasserstein_distance(*clouds, n_projections=DIRECTIONS, seed=1, p=1))
 

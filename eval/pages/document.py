@@ -11,7 +11,7 @@ from eval.pages.page import Report, is_up_to_date, new_report
 from eval.pages.web_page import SCRIPT, STYLE
 from eval.provenance import provenance
 from eval.runs.complete import Task, complete
-from eval.runs.store import numbers_of, stored
+from eval.runs.store import numbers_of, run_file, stored
 
 
 class Document(NamedTuple):
@@ -52,6 +52,10 @@ def make_document(document, folder, scheduler=None):
         The exit code: 1 if a run failed. Each that failed is named, the others are kept.
     """
     begun = time.perf_counter()
+    if _is_up_to_date(document, folder):
+        print(f"eval: {folder} is up to date", file=sys.stderr)
+        print(f"Written: {folder / 'report.html'}")
+        return 0
     failures = complete(document.tasks, scheduler)
     for title, reason in failures.items():
         print(f"eval: failed: {title}: {reason}", file=sys.stderr)
@@ -59,14 +63,16 @@ def make_document(document, folder, scheduler=None):
         count = f"{len(failures)} of {len(document.tasks)} runs failed"
         print(f"eval: no report: {count}; the others are kept", file=sys.stderr)
         return 1
-    inputs = _digest(document)
-    if is_up_to_date(folder, inputs):
-        print(f"eval: {folder} is up to date", file=sys.stderr)
-    else:
-        with new_report(folder, inputs, begun) as report:
-            report.page(document.title, document.sections(report))
+    with new_report(folder, _digest(document), begun) as report:
+        report.page(document.title, document.sections(report))
     print(f"Written: {folder / 'report.html'}")
     return 0
+
+
+def _is_up_to_date(document, folder):
+    """Whether the report is there, and its runs; what is in their files is not read again."""
+    are_stored = all(run_file(task.job).exists() for task in document.tasks)
+    return are_stored and is_up_to_date(folder, _digest(document))
 
 
 def made_on(tasks):

@@ -8,7 +8,7 @@ from tqdm import tqdm
 from eval.metrics import METRICS
 from eval.runs.cluster import do_on_cluster
 from eval.runs.job import Job
-from eval.runs.local import do_here
+from eval.runs.side_by_side import do_side_by_side
 from eval.runs.store import store, store_numbers, stored, stored_numbers
 
 
@@ -40,7 +40,9 @@ def complete(tasks, scheduler=None):
     total = sum(task.job.cost for task in missing)
     bar_format = "{percentage:3.0f}% |{bar}| {elapsed}<{remaining}  {desc}"
     with tqdm(total=total, bar_format=bar_format, disable=None) as bar:
-        finished = do_on_cluster(missing, scheduler, bar) if scheduler else do_here(missing, bar)
+        finished = (
+            do_on_cluster(missing, scheduler, bar) if scheduler else do_side_by_side(missing, bar)
+        )
         for task, outcome in finished:
             if isinstance(outcome, BaseException):
                 failures[task.job.title] = traceback.format_exception_only(outcome)[-1].strip()

@@ -82,7 +82,7 @@ def do_here(tasks, bar):
     ------
     Task, and what :func:`work` returns or the exception it ended with
     """
-    done = 0.0
+    done = bar.n
     for task in tasks:
         cost = task.job.cost
 

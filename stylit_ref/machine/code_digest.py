@@ -69,13 +69,19 @@ def _reached(root, without):
         file, name = waiting.pop()
         if file not in reached:
             reached[file] = name
-            waiting += [
-                found
-                for module, wanted in _source(file, name).imports
-                if module.partition(".")[0] not in without
-                for found in _resolved(module, wanted, own)
-            ]
+            waiting += _imported(file, name, without, own)
     return reached
+
+
+@cache
+def _imported(file, name, without, own):
+    """The files that a file imports, with the names of their modules."""
+    return [
+        found
+        for module, wanted in _source(file, name).imports
+        if module.partition(".")[0] not in without
+        for found in _resolved(module, wanted, own)
+    ]
 
 
 def _module_name(file):

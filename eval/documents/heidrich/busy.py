@@ -49,6 +49,7 @@ class BesideOthers(OnProcessor):
 
     name = "beside others"
     cost = 20.0
+    by_the_clock = True
 
     def run(self, scene, seed, progress=None):
         """Make the frames.

@@ -32,6 +32,7 @@ class FrameTimes(OnProcessor):
     rounds: int
 
     cost = 10.0
+    by_the_clock = True
 
     def run(self, scene, seed, progress=None):
         """Make the frames.

@@ -86,7 +86,7 @@ class Preset:
     depths: tuple[int, ...] = (1, 2, 3, 4)
 
 
-PRESETS = {"quick": Preset(("oil",), 11), "full": Preset(STYLES, 50)}
+PRESETS = {"quick": Preset(("oil",), 7), "full": Preset(STYLES, 50)}
 
 ROUNDS_OF_A_HAND = 50
 """Turns in which a hand's waits are measured: few presets take part."""

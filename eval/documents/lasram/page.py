@@ -275,7 +275,8 @@ def _quality(plan, quality, report):
         f"{tables.REPETITION_BOUND:.0%} above it, border from {tables.BORDERS[0]} to "
         f"{tables.BORDERS[1]}, sw at most 1.5 times it. No number sees structures of more than 7 "
         "pixels: look at the sheets, where broken bricks and canes have a low sw. The tile of "
-        f"img2texture is smaller than E, and so shown larger.{absent}",
+        "img2texture is smaller than E, and so shown larger. Times of other programs are those by "
+        f"the clock.{absent}",
         report.table("beside_quilting", beside, beside),
         _where_ours_loses(beside),
         "The same if R is 64 and does not fall:",

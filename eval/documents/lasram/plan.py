@@ -189,7 +189,9 @@ class Plan:
 
     def timed(self, size, radius=64):
         """A row of the table of times."""
-        return self.paper("gravel", f"timed, R = {radius}", (size, size), radius=radius)
+        params = TextureParams.preset("paper", radius=radius)
+        method = TextureSynthesis(f"timed, R = {radius}", params, by_the_clock=True)
+        return self._job("gravel", method, (size, size), 0)
 
     def timed_radius(self, size, radius):
         """A point of figure 15."""

@@ -2340,6 +2340,7 @@
     width = 1;
     height = 1;
     isFitted = true;
+    isSized = false;
     constructor(pane, sheet, told) {
       this.pane = pane;
       this.sheet = sheet;
@@ -2353,7 +2354,8 @@
     }
     /** The sheet has so many pixels. */
     resize(width, height) {
-      if (width === this.width && height === this.height) return;
+      if (this.isSized && width === this.width && height === this.height) return;
+      this.isSized = true;
       [this.width, this.height] = [width, height];
       this.fit();
     }
@@ -2409,7 +2411,7 @@
       style.setProperty("--scale", String(this.scale));
       style.transform = `translate(${this.left}px, ${this.top}px) scale(${this.scale})`;
       this.sheet.classList.toggle("squares", this.scale >= SQUARES);
-      this.told(this.scale);
+      if (this.isSized) this.told(this.scale);
     }
   };
 

@@ -17,6 +17,7 @@ export class Viewport {
   private width = 1;
   private height = 1;
   private isFitted = true;
+  private isSized = false;
 
   constructor(pane: HTMLElement, sheet: HTMLElement, told: (scale: number) => void) {
     this.pane = pane;
@@ -33,7 +34,8 @@ export class Viewport {
 
   /** The sheet has so many pixels. */
   resize(width: number, height: number): void {
-    if (width === this.width && height === this.height) return;
+    if (this.isSized && width === this.width && height === this.height) return;
+    this.isSized = true;
     [this.width, this.height] = [width, height];
     this.fit();
   }
@@ -97,6 +99,6 @@ export class Viewport {
     style.setProperty("--scale", String(this.scale));
     style.transform = `translate(${this.left}px, ${this.top}px) scale(${this.scale})`;
     this.sheet.classList.toggle("squares", this.scale >= SQUARES);
-    this.told(this.scale);
+    if (this.isSized) this.told(this.scale);
   }
 }

@@ -1,0 +1,97 @@
+"""Do runs on this machine side by side, each in a process of its own that computes on one thread.
+
+So no run waits for the slowest of its threads, and while one is measured, another one is done. A
+run's image does not depend on the number of threads, and its processor time hardly does.
+"""
+
+import multiprocessing
+import signal
+import sys
+import threading
+import warnings
+from concurrent.futures import ProcessPoolExecutor, as_completed
+from concurrent.futures.process import BrokenProcessPool
+from ctypes import CDLL
+
+import numba
+
+from eval.runs.local import do_here, work
+
+_PR_SET_PDEATHSIG = 1
+_tasks = ()
+
+
+def do_side_by_side(tasks, bar):
+    """Do tasks, as :func:`eval.runs.local.do_here` does them one after another.
+
+    Those whose method has ``by_the_clock`` are done alone, on all threads: their times would be
+    those of a busy machine. So are all where processes cannot be forked safely: this process has
+    other threads, or the system is not Linux. If a process is killed, as where memory is short, what
+    is left is done one after another.
+
+    Parameters
+    ----------
+    tasks : sequence of Task
+    bar : tqdm.tqdm
+        It counts their costs.
+
+    Yields
+    ------
+    Task, and what :func:`eval.runs.local.work` returns or the exception it ended with
+    """
+    together = [task for task in tasks if not _is_timed_by_the_clock(task)]
+    alone = [task for task in tasks if _is_timed_by_the_clock(task)]
+    # Asking starts Numba's threads. A fork of a process that has them knows that it has lost them.
+    processes = min(numba.get_num_threads(), len(together))
+    if processes > 1 and sys.platform == "linux" and threading.active_count() == 1:
+        left = dict(enumerate(together))
+        for number, outcome in _in_processes(together, processes, bar):
+            yield left.pop(number), outcome
+        together = list(left.values())
+    yield from do_here(together + alone, bar)
+
+
+def _is_timed_by_the_clock(task):
+    return getattr(task.job.method, "by_the_clock", False)
+
+
+def _in_processes(tasks, processes, bar):
+    """Give the number of each task that is done, and its outcome."""
+    pool = ProcessPoolExecutor(
+        processes, multiprocessing.get_context("fork"), _begin, (tuple(tasks),)
+    )
+    try:
+        with warnings.catch_warnings():
+            # Python warns of threads. Those of OpenMP wait and hold no lock.
+            warnings.simplefilter("ignore", DeprecationWarning)
+            futures = {pool.submit(_work, number): number for number in range(len(tasks))}
+        for future in as_completed(futures):
+            task = tasks[futures[future]]
+            bar.set_description_str(task.job.title)
+            try:
+                outcome = future.result()
+            except BrokenProcessPool:
+                return
+            except Exception as error:
+                outcome = error
+            yield futures[future], outcome
+            bar.update(task.job.cost)
+    except BaseException:
+        for process in multiprocessing.active_children():
+            process.terminate()
+        raise
+    finally:
+        pool.shutdown(cancel_futures=True)
+
+
+def _begin(tasks):
+    """A process begins: it heeds no Ctrl-C, which ends the process that gives it work."""
+    global _tasks
+    _tasks = tasks
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
+    numba.set_num_threads(1)
+
+
+def _work(number):
+    return work(_tasks[number].job, _tasks[number].metrics)

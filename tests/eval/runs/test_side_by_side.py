@@ -1,0 +1,101 @@
+"""Runs done side by side, in processes of their own."""
+
+import os
+import signal
+import sys
+import threading
+from dataclasses import dataclass
+
+import numba
+import numpy as np
+import pytest
+
+from eval.outcome import Outcome
+from eval.runs.complete import Task, complete
+from eval.runs.job import Job
+from eval.runs.store import stored
+from eval.scenes import load_scene
+from stylit_ref import InputError
+
+pytestmark = pytest.mark.skipif(
+    sys.platform != "linux" or numba.config.NUMBA_NUM_THREADS == 1,
+    reason="runs are done side by side on Linux, with two threads or more",
+)
+
+MAIN = os.getpid()
+SEVERAL = 5
+
+
+@dataclass(frozen=True)
+class Told:
+    """A method whose picture is the process and the threads that it ran with."""
+
+    what: str = "nothing"
+
+    name = code = device = "told"
+    cost = 1.0
+
+    def run(self, scene, seed, progress=None):
+        if self.what == "fails" and seed == 1:
+            raise InputError("is not possible", parameter="seed")
+        if self.what == "is killed" and seed == 1 and os.getpid() != MAIN:
+            os.kill(os.getpid(), signal.SIGKILL)
+        told = np.array([[[os.getpid(), numba.get_num_threads(), seed]]])
+        return Outcome(told, 0.0)
+
+
+@dataclass(frozen=True)
+class ByTheClock(Told):
+    """The same, alone."""
+
+    by_the_clock = True
+
+
+@pytest.fixture
+def tasks_of(folder, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(threading, "active_count", lambda: 1)  # a test before may have left one
+    scene = load_scene(folder)
+
+    def of(method):
+        return [Task(Job(scene, method, seed), ()) for seed in range(SEVERAL)]
+
+    return of
+
+
+def told(tasks):
+    """Processes, threads and seeds of finished runs."""
+    return np.array([stored(task.job).image[0, 0] for task in tasks]).T
+
+
+def test_processes_have_one_thread_each(tasks_of):
+    tasks = tasks_of(Told())
+    assert complete(tasks) == {}
+    processes, threads, seeds = told(tasks)
+    assert MAIN not in processes
+    assert set(threads) == {1}
+    np.testing.assert_array_equal(seeds, range(SEVERAL))
+
+
+def test_what_is_timed_by_the_clock_is_done_alone(tasks_of):
+    tasks = tasks_of(ByTheClock())
+    assert complete(tasks) == {}
+    processes, threads, _ = told(tasks)
+    assert set(processes) == {MAIN}
+    assert set(threads) == {numba.get_num_threads()}
+
+
+def test_a_run_that_fails_is_named_and_the_others_are_kept(tasks_of):
+    tasks = tasks_of(Told("fails"))
+    failures = complete(tasks)
+    assert list(failures) == [tasks[1].job.title]
+    assert "seed is not possible" in failures[tasks[1].job.title]
+    assert [stored(task.job) is None for task in tasks] == [seed == 1 for seed in range(SEVERAL)]
+
+
+def test_what_a_killed_process_leaves_is_done_alone(tasks_of):
+    tasks = tasks_of(Told("is killed"))
+    assert complete(tasks) == {}
+    processes, _, seeds = told(tasks)
+    assert processes[1] == MAIN
+    np.testing.assert_array_equal(seeds, range(SEVERAL))
