@@ -28,7 +28,7 @@ REACH = 2
 LEVELS = 6
 PASSES = 2
 
-_ROUNDS = 3
+_ROUNDS = 2
 SAMPLES, COMPONENTS, NEAREST = 4096, 12, 8
 
 _CODE = code_digest(__file__, without=("gpu_cuda",))

@@ -25,9 +25,9 @@ def do_side_by_side(tasks, bar):
     """Do tasks, as :func:`eval.runs.local.do_here` does them one after another.
 
     Those whose method has ``by_the_clock`` are done alone, on all threads: their times would be
-    those of a busy machine. So are all where processes cannot be forked safely: this process has
-    other threads, or the system is not Linux. If a process is killed, as where memory is short, what
-    is left is done one after another.
+    those of a busy machine. So are all where processes cannot be forked safely, since this process
+    has other threads or the system is not Linux, and those that are left when a process is killed,
+    as where memory is short.
 
     Parameters
     ----------
@@ -40,6 +40,8 @@ def do_side_by_side(tasks, bar):
     Task, and what :func:`eval.runs.local.work` returns or the exception it ended with
     """
     together = [task for task in tasks if not _is_timed_by_the_clock(task)]
+    # The longest begin first, so that no process has a long one left when the others are done.
+    together.sort(key=lambda task: -task.job.cost)
     alone = [task for task in tasks if _is_timed_by_the_clock(task)]
     # Asking starts Numba's threads. A fork of a process that has them knows that it has lost them.
     processes = min(numba.get_num_threads(), len(together))

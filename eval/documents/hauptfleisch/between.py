@@ -67,7 +67,7 @@ class Between:
     digest: str
 
     name = "views between"
-    cost = 6.0
+    cost = 30.0
 
     @property
     def code(self):

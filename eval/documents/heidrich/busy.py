@@ -45,7 +45,7 @@ class BesideOthers(OnProcessor):
     """
 
     seconds: float = 4.0
-    trials: int = 3
+    trials: int = 2
 
     name = "beside others"
     cost = 20.0

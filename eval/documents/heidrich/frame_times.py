@@ -16,7 +16,7 @@ class FrameTimes(OnProcessor):
     """Cold frames from the caller's buffers to a picture, packing included, kernels compiled.
 
     Methods take turns, so that what else the machine does falls on all of them. Each frame is made
-    on one thread, where the time of the processor is that of the work alone, and on all.
+    on one thread, where the time of the processor is that of the work alone.
 
     Attributes
     ----------
@@ -25,14 +25,16 @@ class FrameTimes(OnProcessor):
     methods : tuple of Realtime or Hybrid
     rounds : int
         The history has the median of so many, methods in turns.
+    by_the_clock : bool
+        Whether frames are made on all threads too, with nothing else beside.
     """
 
     name: str
     methods: tuple
     rounds: int
+    by_the_clock: bool = False
 
     cost = 10.0
-    by_the_clock = True
 
     def run(self, scene, seed, progress=None):
         """Make the frames.
@@ -48,13 +50,14 @@ class FrameTimes(OnProcessor):
         -------
         Outcome
             The history has a row for each method: ``method``, ``cpu`` in milliseconds on one
-            thread, ``wall`` in milliseconds on all. The image is the last one's.
+            thread and, by the clock, ``wall`` in milliseconds on all. The image is the last one's.
         """
         times = pd.DataFrame({"method": [method.name for method in self.methods]})
         begun = time.perf_counter()
-        for column, threads, clock in (
-            ("cpu", 1, time.process_time), ("wall", available_threads(), time.perf_counter),
-        ):  # fmt: skip
+        columns = [("cpu", 1, time.process_time)]
+        if self.by_the_clock:
+            columns.append(("wall", available_threads(), time.perf_counter))
+        for column, threads, clock in columns:
             makers = [method.frames(scene, seed, threads) for method in self.methods]
             spent = np.full((self.rounds + 1, len(makers)), np.inf)
             for turn in spent:

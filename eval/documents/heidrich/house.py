@@ -29,7 +29,7 @@ SOURCE, SKETCH, TARGET = "sketched_house", "marker", "house/1_1"
 BUFFERS = "FULL", "LDE", "LSE", "LDDE", "FRESNEL", "LIGHTMASK", "NORMAL"
 """What is packed; IDMASK becomes labels in any case."""
 
-ROUNDS, SEEDS = 50, 3
+ROUNDS = 50
 MOST_MILLISECONDS = 2.0
 """Goal of packing 500 x 500 pixels."""
 
@@ -76,12 +76,12 @@ class Components(OnProcessor):
 
     Attributes
     ----------
-    rounds, seeds : int
-        Times are medians of so many; energies are means over so many seeds.
+    seeds, rounds : int
+        Energies are means over so many seeds; times are medians of so many.
     """
 
+    seeds: int
     rounds: int = ROUNDS
-    seeds: int = SEEDS
 
     name = "principal components"
     cost = 20.0
@@ -198,14 +198,17 @@ class House:
     Attributes
     ----------
     scene : Scene
+    seeds : int
+        Over which energies are means.
     """
 
     scene: Scene
+    seeds: int
 
     @property
     def job(self):
         """Its run."""
-        return Job(self.scene, Components())
+        return Job(self.scene, Components(self.seeds))
 
     @property
     def tasks(self):
@@ -246,7 +249,7 @@ class House:
             f"view; `best`. Rank correlation is that of squared distances of pixels with those of "
             f"all channels: of {SOME} pixels of the source with {THERE} of the target, and with "
             f"the nearest {NEAREST} of each. Times are medians of {ROUNDS} on all threads; energy "
-            f"is the mean over {SEEDS} seeds.",
+            f"is {f'the mean over {self.seeds} seeds' if self.seeds > 1 else 'that of one seed'}.",
         ]
 
 

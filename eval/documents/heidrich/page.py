@@ -6,7 +6,6 @@ from pathlib import Path
 from eval.documents.heidrich import pictures, tables
 from eval.documents.heidrich.claims import claims
 from eval.documents.heidrich.hand_times import WAITED
-from eval.documents.heidrich.plan import ROUNDS_OF_A_HAND
 from eval.documents.heidrich.requirements import DEFINITION, requirements
 from eval.documents.heidrich.stage import GUIDES, STYLES
 from eval.metrics import definitions
@@ -121,8 +120,8 @@ def _times(plan, report):
         "are cited alone.",
         "### What a hand waits for",
         report.table("hand_times", hand, hand),
-        f"Medians of {ROUNDS_OF_A_HAND} on all threads, in turns, packing included where there is "
-        f"another target. {'; '.join(f'*{kind}*: {what}' for kind, what in WAITED.items())}.",
+        f"Medians of {plan.preset.of_a_hand} on all threads, in turns, packing included where there "
+        f"is another target. {'; '.join(f'*{kind}*: {what}' for kind, what in WAITED.items())}.",
         *_turning(plan, report),
         "### Others (4.2)",
         report.table("others", others, others),

@@ -72,8 +72,10 @@ class Preset:
     ----------
     studied : tuple of str
         Styles of the ablation and of the sweeps.
-    rounds : int
-        In which frames are timed, in turns.
+    rounds, of_a_hand : int
+        In which frames are timed, in turns, and what a hand waits for.
+    seeds : int
+        Over which energies of the house are means.
     widths : tuple of int
         w of the simple method.
     depths : tuple of int
@@ -82,14 +84,13 @@ class Preset:
 
     studied: tuple[str, ...]
     rounds: int
+    of_a_hand: int
+    seeds: int
     widths: tuple[int, ...] = (3, 5, 7, 9, 11, 13)
     depths: tuple[int, ...] = (1, 2, 3, 4)
 
 
-PRESETS = {"quick": Preset(("oil",), 7), "full": Preset(STYLES, 50)}
-
-ROUNDS_OF_A_HAND = 50
-"""Turns in which a hand's waits are measured: few presets take part."""
+PRESETS = {"quick": Preset(("oil",), 7, 25, 1), "full": Preset(STYLES, 50, 50, 3)}
 
 
 @dataclass(frozen=True)
@@ -203,7 +204,8 @@ class Plan:
 
     def times(self, side):
         """Table 1: the thesis' methods and ours."""
-        return self._times(side, "methods", [_realtime_method(n, n) for n in THESIS + PRODUCTS])
+        methods = [_realtime_method(name, name) for name in THESIS + PRODUCTS]
+        return self._times(side, "methods", methods, by_the_clock=True)
 
     def times_of_savings(self, side):
         """The ablation's times."""
@@ -225,10 +227,11 @@ class Plan:
 
     def hand_times(self, side):
         """What a hand waits for."""
-        return Job(self._timed(side), HandTimes(PRODUCTS, ROUNDS_OF_A_HAND))
+        return Job(self._timed(side), HandTimes(PRODUCTS, self.preset.of_a_hand))
 
-    def _times(self, side, name, methods):
-        return Job(self._timed(side), FrameTimes(name, tuple(methods), self.preset.rounds))
+    def _times(self, side, name, methods, by_the_clock=False):
+        method = FrameTimes(name, tuple(methods), self.preset.rounds, by_the_clock)
+        return Job(self._timed(side), method)
 
     @property
     def studies(self):

@@ -54,13 +54,13 @@ def _asides(options):
     """Sections on what is there: rendered scenes, the house, and a prototype."""
     yield Busy(stage.for_times(SIDES[0]))
     sides = tuple(side for side in SIDES if stage.is_rendered(side))
-    rounds = PRESETS[options.preset].rounds
+    preset = PRESETS[options.preset]
     scene_of = cache(stage.rendered)
     if sides:  # at the larger size the dense method takes minutes
-        yield Faults(scene_of, sides if options.preset == "full" else sides[:1], rounds)
+        yield Faults(scene_of, sides if options.preset == "full" else sides[:1], preset.rounds)
     drawn = house(stage.RENDERED / "600x456")  # as the report on views has it
     if drawn:
-        yield House(drawn)
+        yield House(drawn, preset.seeds)
     if options.prototype:
         prototype_of(options.prototype)  # one that does not fit is named before anything is done
         if not sides:

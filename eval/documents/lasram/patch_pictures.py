@@ -10,7 +10,7 @@ from stylit_ref.texture.overlay import overlay
 from stylit_ref.texture.params import TextureParams
 from stylit_ref.texture.session import TextureSession
 
-TRIED = 150
+TRIED = 75
 """Random patches of which the one that shows most is drawn."""
 
 _GREEN = (60, 255, 60)

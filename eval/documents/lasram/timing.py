@@ -12,7 +12,7 @@ from stylit_ref.texture.params import TextureParams
 from stylit_ref.texture.session import TextureSession
 
 THREADS = 1, 2
-REPEATS = 5
+REPEATS = 3
 LATE = 10
 """Iterations 11 to 16 are the late ones."""
 

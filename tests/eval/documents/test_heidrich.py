@@ -37,7 +37,7 @@ def tiny_plan(name, preset, shown, timed, large, turning, asides):
     """The plan on small pictures; frames are timed on a hundredth of their pixels."""
     return Plan(
         name,
-        Preset(("oil",), 1, widths=(3, 5), depths=(2, 3)),  # others take long to compile
+        Preset(("oil",), 1, 1, 1, widths=(3, 5), depths=(2, 3)),  # others take long to compile
         small,
         lambda side: stage.enlarged(small("oil"), side // 10),
         large=lambda style: stage.enlarged(small(style), 120),
