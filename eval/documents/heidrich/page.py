@@ -120,8 +120,8 @@ def _times(plan, report):
         "are cited alone.",
         "### What a hand waits for",
         report.table("hand_times", hand, hand),
-        f"Medians of {plan.preset.of_a_hand} on all threads, in turns, packing included where there "
-        f"is another target. {'; '.join(f'*{kind}*: {what}' for kind, what in WAITED.items())}.",
+        f"Medians of {plan.preset.of_a_hand} on all threads, in turns, packing included where "
+        f"there is another target. {'; '.join(f'*{kind}*: {what}' for kind, what in WAITED.items())}.",
         *_turning(plan, report),
         "### Others (4.2)",
         report.table("others", others, others),
