@@ -121,7 +121,8 @@ def _times(plan, report):
         "### What a hand waits for",
         report.table("hand_times", hand, hand),
         f"Medians of {plan.preset.of_a_hand} on all threads, in turns, packing included where "
-        f"there is another target. {'; '.join(f'*{kind}*: {what}' for kind, what in WAITED.items())}.",
+        "there is another target. "
+        f"{'; '.join(f'*{kind}*: {what}' for kind, what in WAITED.items())}.",
         *_turning(plan, report),
         "### Others (4.2)",
         report.table("others", others, others),
