@@ -146,6 +146,12 @@ def stylit(version, pictures):
     return version.run(pictures.at(), "--method", "stylit", *THESIS).seconds
 
 
+def stylit_preview(version, pictures):
+    """Seconds of a whole run."""
+    preview = *PRESET_FAST[:2], "--patchmatch-iters", "2"
+    return version.run(pictures.at(), "--method", "stylit", *preview).seconds
+
+
 def huge(version, pictures):
     """Microseconds of a pixel."""
     return version.run(pictures.at(HUGE), *THESIS).seconds / (HUGE[0] * HUGE[1]) * 1e6
@@ -195,6 +201,12 @@ WAITS = (
     Wait("fast", "`--preset fast`, the whole process [s]", 1.5, fast),
     Wait("busy", f"810x1000, 7 guides, beside {BESIDE} programs: over the fair time", 1.3, busy, 1),
     Wait("stylit", "`--method stylit` [s]", 25, stylit, 1),
+    Wait(
+        "stylit_preview",
+        "`--method stylit --preset fast --patchmatch-iters 2` [s]",
+        25,
+        stylit_preview,
+    ),
     Wait("huge", "4800x3648, the thesis' configuration: a pixel [µs]", 20, huge, 1),
     Wait("memory", "4800x3648: memory [GiB]", 3, memory, 1),
     Wait("small", "300x228, defaults: synthesis alone [s]", 0.6, small),

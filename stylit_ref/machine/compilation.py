@@ -5,6 +5,7 @@ import logging
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
+from functools import partial
 from operator import attrgetter
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -14,6 +15,7 @@ from numba.core.dispatcher import Dispatcher
 
 from stylit_ref.machine.interruption import heed_waiting
 from stylit_ref.machine.kernel_cache import KernelCache
+from stylit_ref.machine.once import once
 from stylit_ref.machine.shared_work import share
 from stylit_ref.notes import note
 
@@ -57,16 +59,34 @@ class Specialization(NamedTuple):
         """Bytes of its function's code, by which one can guess how long it takes to compile."""
         return len(self.dispatcher.py_func.__code__.co_code)
 
-    def compile(self) -> None:
+    def compile(self, *, waiting: bool = True) -> None:
         """Compile it, and keep it on disk.
+
+        Parameters
+        ----------
+        waiting : bool
+            Whether to wait for another process that compiles it; else nothing is done then.
 
         Raises
         ------
         KeyboardInterrupt
             Afterwards, if it came meanwhile.
         """
-        self.dispatcher.compile(self.types)
+        with self.compiled_once(waiting=waiting) as is_ours:
+            if is_ours:
+                self.dispatcher.compile(self.types)
         heed_waiting()
+
+    @contextmanager
+    def compiled_once(self, *, waiting: bool) -> Iterator[bool]:
+        """While the block runs, no other process compiles it (:mod:`stylit_ref.machine.once`)."""
+        folder = self.folder
+        number = None if folder is None else self.dispatcher._cache.number_of(self.types)
+        if number is None:
+            yield True
+        else:
+            with once(folder, number, lambda: self.is_compiled, waiting=waiting) as is_ours:
+                yield is_ours
 
 
 def compile_missing(
@@ -103,10 +123,13 @@ def compile_missing(
 
 
 def _share(kernels, progress):
-    """Compile kernels in several processes, those that take longest first; they lie on the disk."""
+    """Compile kernels in several processes, those that take longest first; they lie on the disk.
+
+    Those that other runs compile meanwhile are left out.
+    """
     ordered = sorted(kernels, key=attrgetter("size"), reverse=True)
     share(
-        [each.compile for each in ordered],
+        [partial(each.compile, waiting=False) for each in ordered],
         lambda number: progress and progress(number + 1, len(ordered)),
     )
 
@@ -143,13 +166,15 @@ def compiling_together(
 
 
 def bring_others(dispatcher: Dispatcher) -> None:
-    """Let a kernel heed :func:`compiling_together` when it is called with new types."""
+    """Let a kernel heed :func:`compiling_together` and other processes when it has new types."""
     compile_or_load = dispatcher._compile_for_args
 
     def compile_for_args(*arguments, **named):
+        kernel = Specialization.of_call(dispatcher, arguments, named)
         compile_all = _WANTED.get()
-        if compile_all and not Specialization.of_call(dispatcher, arguments, named).is_compiled:
+        if compile_all and not kernel.is_compiled:
             compile_all()
-        return compile_or_load(*arguments, **named)
+        with kernel.compiled_once(waiting=True):
+            return compile_or_load(*arguments, **named)
 
     dispatcher._compile_for_args = compile_for_args

@@ -90,6 +90,16 @@ class KernelCache(FunctionCache):
         except Exception:  # as in load_overload
             return False
 
+    def number_of(self, types: tuple[types.Type, ...]) -> int | None:
+        """A number that tells the kernel for arguments of these types from all others.
+
+        None if it is not kept, since a file of it has changed or is missing.
+        """
+        if not self._is_as_it_ran:
+            return None
+        key = self._index_key(types, cpu_target.target_context.codegen())
+        return int(self._cache_file.digest(key), 16)
+
     def _index_key(self, signature, codegen):
         return signature, codegen.magic_tuple()
 
@@ -114,10 +124,12 @@ class _KernelFiles(NamedTuple):
     def flush(self, key):
         self._of(key).flush()
 
-    def _of(self, key):
+    def digest(self, key):
         identity = repr((self.code, self.constants, key))
-        digest = hashlib.sha256(identity.encode()).hexdigest()[:16]
-        return IndexDataCacheFile(self.folder, f"{self.name}-{digest}", self.code)
+        return hashlib.sha256(identity.encode()).hexdigest()[:16]
+
+    def _of(self, key):
+        return IndexDataCacheFile(self.folder, f"{self.name}-{self.digest(key)}", self.code)
 
 
 def _files_of(function):

@@ -1,4 +1,4 @@
-"""Kernels that different processes have compiled meet in a third one."""
+"""Kernels of different processes: they meet in a third one, and none is compiled twice."""
 
 import os
 import subprocess
@@ -47,13 +47,31 @@ def test_each_calls_its_own_function(tmp_path, way):
     file.write_text(MODULE, encoding="utf-8")
 
     def run(*constants):
-        done = subprocess.run(
-            [sys.executable, file, way, *map(str, constants)],
-            env=os.environ | {"NUMBA_CACHE_DIR": str(tmp_path / "kernels")},
-            capture_output=True, text=True, check=True,
-        )  # fmt: skip
-        return [list(map(int, line.split())) for line in done.stdout.splitlines()]
+        return told(started(file, tmp_path, way, *constants))
 
     assert run(1) == [[1, 0]]
     assert run(2) == [[2, 0]]
     assert run(1, 2) == [[1, 1], [2, 1]]
+
+
+def test_a_kernel_is_compiled_by_one_of_two_that_start_together(tmp_path):
+    file = tmp_path / "filling.py"
+    file.write_text(MODULE, encoding="utf-8")
+    both = [started(file, tmp_path, "parallel", 1) for _ in range(2)]
+    assert sorted(map(told, both)) == [[[1, 0]], [[1, 1]]]
+
+
+def started(file, folder, way, *constants):
+    """A process that fills with these constants."""
+    return subprocess.Popen(
+        [sys.executable, file, way, *map(str, constants)],
+        env=os.environ | {"NUMBA_CACHE_DIR": str(folder / "kernels")},
+        stdout=subprocess.PIPE, text=True,
+    )  # fmt: skip
+
+
+def told(process):
+    """What a process filled with, and whether it had the kernel from the disk."""
+    said, _ = process.communicate()
+    assert process.returncode == 0
+    return [list(map(int, line.split())) for line in said.splitlines()]
