@@ -44,7 +44,7 @@ class BesideOthers(OnProcessor):
         How often the processes start and stop.
     """
 
-    seconds: float = 4.0
+    seconds: float = 3.0
     trials: int = 2
 
     name = "beside others"
