@@ -204,7 +204,12 @@ class FakeStudio:
             await _send(socket, {"say": "stepped", **state})
         elif asked["do"] == "export":
             commands = ["stylit-ref run golem.png --style style.png --output picture.png"]
-            await _send(socket, {"say": "exported", "files": ["picture.png"], "commands": commands})
+            exported = {
+                "folder": "/oil/exports/001",
+                "files": ["picture.png"],
+                "commands": commands,
+            }
+            await _send(socket, {"say": "exported"} | exported)
         elif asked["do"] == "take_over":
             for other in self.sockets:
                 if other is not socket:

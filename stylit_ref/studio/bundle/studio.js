@@ -678,8 +678,8 @@
         this.dialog.showModal();
       };
     }
-    tell({ files, commands }) {
-      this.state.textContent = "The files lie in the folder of the painting, under exports.";
+    tell({ folder, files, commands }) {
+      this.state.textContent = `The files lie in ${folder}.`;
       byId("export-files").replaceChildren(
         ...files.map((file) => {
           const name = file.split(/[\\/]/).at(-1);

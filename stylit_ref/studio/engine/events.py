@@ -118,12 +118,14 @@ class Exported:
 
     Attributes
     ----------
+    folder : str
     files : tuple of str
         Their names in the folder.
     commands : tuple of str
         Command lines, each of which gives the bytes of the picture.
     """
 
+    folder: str
     files: tuple[str, ...]
     commands: tuple[str, ...]
 

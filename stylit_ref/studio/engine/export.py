@@ -64,7 +64,7 @@ def _written(shown: Shown, folder: Path) -> Exported:
                   for source, target in zip(*names, strict=True)]  # fmt: skip
     commands = command_lines(shown, guides, style=folder / STYLE, nnf=folder / NNF)
     write_text(folder / COMMANDS, "".join(f"{line}\n" for line in commands))
-    return Exported((*files, COMMANDS), commands)
+    return Exported(str(folder.resolve()), (*files, COMMANDS), commands)
 
 
 def _write_side(buffers: Buffers, folder: Path, side: str) -> list[str]:

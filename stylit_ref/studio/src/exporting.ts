@@ -17,8 +17,8 @@ export class Exporting {
     };
   }
 
-  tell({ files, commands }: Exported): void {
-    this.state.textContent = "The files lie in the folder of the painting, under exports.";
+  tell({ folder, files, commands }: Exported): void {
+    this.state.textContent = `The files lie in ${folder}.`;
     byId("export-files").replaceChildren(
       ...files.map((file) => {
         const name = file.split(/[\\/]/).at(-1) as string;

@@ -73,7 +73,7 @@ export interface Welcome extends Chosen {
 
 export type Working = { say: "working"; which: string; state: "started" | "cancelled" | "done" | "failed"; text: string };
 export type Stepped = { say: "stepped"; level: number; iteration: number; done: boolean; possible: string[] };
-export type Exported = { say: "exported"; files: string[]; commands: string[] };
+export type Exported = { say: "exported"; folder: string; files: string[]; commands: string[] };
 
 export type Said =
   | Welcome

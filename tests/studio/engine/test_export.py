@@ -1,6 +1,7 @@
 """What is exported makes the picture again, to the byte, by the command line."""
 
 import shlex
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -23,7 +24,8 @@ STROKE = np.full((6, 5, 3), 250, np.uint8)
 def check(shown, folder):
     """Export, and run what is exported; returns the command lines."""
     exported = export(shown, folder)
-    assert all((folder / file).is_file() for file in exported.files)
+    assert all((Path(exported.folder) / file).is_file() for file in exported.files)
+    assert Path(exported.folder).is_absolute()
     picture = (folder / "picture.png").read_bytes()
     for line in exported.commands:
         program, *words = shlex.split(line)

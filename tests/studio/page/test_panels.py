@@ -127,9 +127,11 @@ def test_weights_layers_and_seed(page, studio):
         page.until("document.getElementById('seed').value", str(value))
 
 
-def test_an_export_shows_its_commands(page, studio):
+def test_an_export_shows_its_folder_and_commands(page, studio):
     page.page.locator("#export").click()
     page.until("document.getElementById('export-done').hidden", False)
+    state = page.page.locator("#export-state").text_content()
+    assert state == "The files lie in /oil/exports/001."
     assert page.page.locator("#export-commands code").text_content().startswith("stylit-ref run")
     link = page.page.locator("#export-files a")
     assert link.get_attribute("href") == "/export/picture.png"
