@@ -71,5 +71,5 @@ def _text_of(module):
 if __name__ == "__main__":
     heed_interruptions()
     sleep_while_waiting()
-    tqdm.monitor_interval = 0  # beside its thread, kernels are not compiled in forks
+    tqdm.monitor_interval = 0  # beside its thread no process is forked for runs or kernels
     sys.exit(main())

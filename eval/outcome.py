@@ -41,3 +41,11 @@ class Outcome:
     stages: dict[str, float] = field(default_factory=dict)
     history: pd.DataFrame = field(default_factory=pd.DataFrame)
     coordinates: np.ndarray | None = None
+
+    @property
+    def processor_seconds(self):
+        """Seconds of the processor, all threads together; by the clock if the method has no others.
+
+        Those of a GPU and of another program are by the clock.
+        """
+        return self.stages.get("cpu", self.seconds)

@@ -41,7 +41,7 @@ class Ebsynth:
     patchmatch_iterations: int = 4
 
     cost = 10.0
-    by_the_clock = True
+    alone = True
 
     @property
     def name(self):

@@ -58,8 +58,8 @@ class StylitRef:
         return device(self.backend)
 
     @property
-    def by_the_clock(self):
-        """Whether times by the clock count: those of a GPU."""
+    def alone(self):
+        """Whether nothing else may run: a GPU is timed by the clock."""
         return self.backend != "cpu"
 
     @property
@@ -80,7 +80,7 @@ class StylitRef:
         Returns
         -------
         Outcome
-            The stage ``cpu`` is seconds of the processor, of all threads together.
+            On the processor, the stage ``cpu`` is its seconds, of all threads together.
         """
         compile_kernels(scene, self.params, self.backend)
         spent = []
@@ -109,7 +109,7 @@ class StylitRef:
             omega=result.omega,
             guide_map=result.guide_maps[-1] if result.guide_maps else None,
             levels=tuple(levels),
-            stages={"cpu": cpu},
+            stages={} if self.alone else {"cpu": cpu},
             history=history,
         )
 

@@ -27,14 +27,14 @@ class TextureSynthesis:
     params : TextureParams
     repeats : int
         How often it is run. Of several times of an iteration the least is that of a quiet machine.
-    by_the_clock : bool
-        Whether times by the clock count, so that nothing else may run.
+    alone : bool
+        Whether nothing else may run, since its times count.
     """
 
     name: str = "default"
     params: TextureParams = field(default_factory=TextureParams)
     repeats: int = 1
-    by_the_clock: bool = False
+    alone: bool = False
 
     cost = 1.0
 

@@ -32,7 +32,7 @@ class TextureProgram:
     arguments: tuple[str, ...]
 
     cost = 20.0
-    by_the_clock = True
+    alone = True
 
     @property
     def code(self):

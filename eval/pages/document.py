@@ -54,17 +54,15 @@ def make_document(document, folder, scheduler=None):
     begun = time.perf_counter()
     if _is_up_to_date(document, folder):
         print(f"eval: {folder} is up to date", file=sys.stderr)
-        print(f"Written: {folder / 'report.html'}")
-        return 0
-    failures = complete(document.tasks, scheduler)
-    for title, reason in failures.items():
-        print(f"eval: failed: {title}: {reason}", file=sys.stderr)
-    if failures:
+    elif failures := complete(document.tasks, scheduler):
+        for title, reason in failures.items():
+            print(f"eval: failed: {title}: {reason}", file=sys.stderr)
         count = f"{len(failures)} of {len(document.tasks)} runs failed"
         print(f"eval: no report: {count}; the others are kept", file=sys.stderr)
         return 1
-    with new_report(folder, _digest(document), begun) as report:
-        report.page(document.title, document.sections(report))
+    else:
+        with new_report(folder, _digest(document), begun) as report:
+            report.page(document.title, document.sections(report))
     print(f"Written: {folder / 'report.html'}")
     return 0
 

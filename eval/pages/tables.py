@@ -6,7 +6,7 @@ import pandas as pd
 from eval.metrics import NUMBERS
 from eval.number import Number
 
-COLUMNS = NUMBERS | {"seconds": Number("time [s]", "{:.1f}")}
+COLUMNS = NUMBERS | {"seconds": Number("processor time [s]", "{:.1f}")}
 
 
 def table(frame):

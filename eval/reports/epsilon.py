@@ -89,8 +89,8 @@ def epsilon_report(scene, folder, seed=0, pictures=True):
                 "SSIM": f"{ssim(result.image, reference.image):.3f}",
                 **({"spilled": f"{found['spilled']:.2%}"} if scene.ids else {}),
                 "image energy": f"{found['image_energy']:.0f}",
-                "time [s]": f"{result.seconds:.2f}",
-                "ref/time": f"{reference.seconds / result.seconds:.2f}",
+                "processor time [s]": f"{result.processor_seconds:.2f}",
+                "ref/time": f"{reference.processor_seconds / result.processor_seconds:.2f}",
             }
         )
     frame = pd.DataFrame(rows)

@@ -17,6 +17,9 @@ import numba
 
 from eval.runs.local import do_here, work
 
+MOST = 8
+"""Processes. A run of 1200x912 pixels takes up to a gigabyte."""
+
 _PR_SET_PDEATHSIG = 1
 _tasks = ()
 
@@ -24,10 +27,10 @@ _tasks = ()
 def do_side_by_side(tasks, bar):
     """Do tasks, as :func:`eval.runs.local.do_here` does them one after another.
 
-    Those whose method has ``by_the_clock`` are done alone, on all threads: their times would be
-    those of a busy machine. So are all where processes cannot be forked safely, since this process
-    has other threads or the system is not Linux, and those that are left when a process is killed,
-    as where memory is short.
+    Those whose method is to be ``alone`` are done one after another, on all threads: beside others
+    their times would be those of a busy machine. So are all where processes cannot be forked
+    safely, since this process has other threads or the system is not Linux, and those that are left
+    when a process is killed, as where memory is short.
 
     Parameters
     ----------
@@ -39,12 +42,12 @@ def do_side_by_side(tasks, bar):
     ------
     Task, and what :func:`eval.runs.local.work` returns or the exception it ended with
     """
-    together = [task for task in tasks if not _is_timed_by_the_clock(task)]
+    together = [task for task in tasks if not _is_alone(task)]
     # The longest begin first, so that no process has a long one left when the others are done.
     together.sort(key=lambda task: -task.job.cost)
-    alone = [task for task in tasks if _is_timed_by_the_clock(task)]
+    alone = [task for task in tasks if _is_alone(task)]
     # Asking starts Numba's threads. A fork of a process that has them knows that it has lost them.
-    processes = min(numba.get_num_threads(), len(together))
+    processes = min(numba.get_num_threads(), len(together), MOST)
     if processes > 1 and sys.platform == "linux" and threading.active_count() == 1:
         left = dict(enumerate(together))
         for number, outcome in _in_processes(together, processes, bar):
@@ -53,8 +56,8 @@ def do_side_by_side(tasks, bar):
     yield from do_here(together + alone, bar)
 
 
-def _is_timed_by_the_clock(task):
-    return getattr(task.job.method, "by_the_clock", False)
+def _is_alone(task):
+    return getattr(task.job.method, "alone", False)
 
 
 def _in_processes(tasks, processes, bar):
@@ -67,17 +70,18 @@ def _in_processes(tasks, processes, bar):
             # Python warns of threads. Those of OpenMP wait and hold no lock.
             warnings.simplefilter("ignore", DeprecationWarning)
             futures = {pool.submit(_work, number): number for number in range(len(tasks))}
-        for future in as_completed(futures):
-            task = tasks[futures[future]]
-            bar.set_description_str(task.job.title)
+        for future in as_completed(list(futures)):
+            number = futures.pop(future)  # else results would be kept until the last is there
+            bar.set_description_str(tasks[number].job.title)
             try:
                 outcome = future.result()
             except BrokenProcessPool:
-                return
+                continue
             except Exception as error:
                 outcome = error
-            yield futures[future], outcome
-            bar.update(task.job.cost)
+            del future
+            yield number, outcome
+            bar.update(tasks[number].job.cost)
     except BaseException:
         for process in multiprocessing.active_children():
             process.terminate()
@@ -87,10 +91,11 @@ def _in_processes(tasks, processes, bar):
 
 
 def _begin(tasks):
-    """A process begins: it heeds no Ctrl-C, which ends the process that gives it work."""
+    """A process begins. Ctrl-C is for the process that gives it work, and it ends with that one."""
     global _tasks
     _tasks = tasks
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
     CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
     numba.set_num_threads(1)
 

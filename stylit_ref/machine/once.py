@@ -29,7 +29,8 @@ def once(
 ) -> Iterator[bool]:
     """Keep other processes from some work while the block runs.
 
-    Where the system or the folder has no locks, every process does the work.
+    Other threads of this process are not kept from it. Where the system or the folder has no locks,
+    every process does the work.
 
     Parameters
     ----------
@@ -51,16 +52,26 @@ def once(
     """
     file, place = _open(folder), number % _PLACES
     is_ours = file is None or _lock(file, place)
-    end = time.monotonic() + _PATIENCE
-    while waiting and not is_ours and not is_done() and time.monotonic() < end:
-        time.sleep(_PAUSE)
-        is_ours = _lock(file, place)
+    if waiting and not is_ours:
+        _wait(file, place, is_done)
     try:
         yield is_ours or waiting
     finally:
         if is_ours and file is not None:
-            with suppress(OSError):
-                fcntl.lockf(file, fcntl.LOCK_UN, 1, place)
+            _unlock(file, place)
+
+
+def _wait(file, place, is_done):
+    """Wait until the result is there, or nobody does the work any more: then all who waited do it.
+
+    Where a result cannot be kept, as on a full disk, they would else do it one after another.
+    """
+    end = time.monotonic() + _PATIENCE
+    while not is_done() and time.monotonic() < end:
+        time.sleep(_PAUSE)
+        if _lock(file, place):
+            _unlock(file, place)
+            return
 
 
 @cache
@@ -84,3 +95,8 @@ def _lock(file, place):
     except OSError:
         return True
     return True
+
+
+def _unlock(file, place):
+    with suppress(OSError):
+        fcntl.lockf(file, fcntl.LOCK_UN, 1, place)

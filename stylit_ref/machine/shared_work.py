@@ -4,11 +4,11 @@ Python runs one thread at a time, so that threads would not help a compiler writ
 """
 
 import os
+import signal
 import sys
 import threading
 import warnings
 from collections.abc import Callable, Sequence
-from signal import SIGKILL
 
 from numba import get_num_threads
 
@@ -54,7 +54,7 @@ def share(pieces: Sequence[Callable[[], None]], beginning: Callable[[int], None]
     finally:
         os.close(waiting)
         for fork in forks:
-            os.kill(fork, SIGKILL)
+            os.kill(fork, signal.SIGKILL)
             os.waitpid(fork, 0)
 
 

@@ -39,8 +39,7 @@ def seconds_of(job):
     -------
     float
     """
-    run = stored(job)
-    return run.stages["cpu"] if job.method.backend == "cpu" else run.seconds
+    return stored(job).processor_seconds
 
 
 def lambda_times(plan, target):

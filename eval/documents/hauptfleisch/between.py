@@ -68,6 +68,7 @@ class Between:
 
     name = "views between"
     cost = 30.0
+    alone = True  # it starts a program
 
     @property
     def code(self):

@@ -57,7 +57,7 @@ class LongShot:
 
     name = "long shot"
     cost = 40.0
-    by_the_clock = True
+    alone = True
 
     @property
     def code(self):

@@ -49,7 +49,7 @@ class BesideOthers(OnProcessor):
 
     name = "beside others"
     cost = 20.0
-    by_the_clock = True
+    alone = True
 
     def run(self, scene, seed, progress=None):
         """Make the frames.

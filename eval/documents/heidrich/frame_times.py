@@ -25,16 +25,21 @@ class FrameTimes(OnProcessor):
     methods : tuple of Realtime or Hybrid
     rounds : int
         The history has the median of so many, methods in turns.
-    by_the_clock : bool
-        Whether frames are made on all threads too, with nothing else beside.
+    on_all : bool
+        Whether frames are made on all threads too.
     """
 
     name: str
     methods: tuple
     rounds: int
-    by_the_clock: bool = False
+    on_all: bool = False
 
     cost = 10.0
+
+    @property
+    def alone(self):
+        """Whether nothing else may run: frames on all threads are timed by the clock."""
+        return self.on_all
 
     def run(self, scene, seed, progress=None):
         """Make the frames.
@@ -50,12 +55,13 @@ class FrameTimes(OnProcessor):
         -------
         Outcome
             The history has a row for each method: ``method``, ``cpu`` in milliseconds on one
-            thread and, by the clock, ``wall`` in milliseconds on all. The image is the last one's.
+            thread, and with :attr:`on_all` ``wall`` in milliseconds on all. The image is the last
+            one's.
         """
         times = pd.DataFrame({"method": [method.name for method in self.methods]})
         begun = time.perf_counter()
         columns = [("cpu", 1, time.process_time)]
-        if self.by_the_clock:
+        if self.on_all:
             columns.append(("wall", available_threads(), time.perf_counter))
         for column, threads, clock in columns:
             makers = [method.frames(scene, seed, threads) for method in self.methods]

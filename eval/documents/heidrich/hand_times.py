@@ -38,7 +38,7 @@ class HandTimes(OnProcessor):
 
     name = "hand"
     cost = 5.0
-    by_the_clock = True
+    alone = True
 
     def run(self, scene, seed, progress=None):
         """Make the frames.

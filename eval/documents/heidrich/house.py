@@ -85,7 +85,7 @@ class Components(OnProcessor):
 
     name = "principal components"
     cost = 20.0
-    by_the_clock = True
+    alone = True
 
     def run(self, scene, seed, progress=None):
         """Pack, make frames, and compare.

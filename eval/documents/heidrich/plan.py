@@ -205,7 +205,7 @@ class Plan:
     def times(self, side):
         """Table 1: the thesis' methods and ours."""
         methods = [_realtime_method(name, name) for name in THESIS + PRODUCTS]
-        return self._times(side, "methods", methods, by_the_clock=True)
+        return self._times(side, "methods", methods, on_all=True)
 
     def times_of_savings(self, side):
         """The ablation's times."""
@@ -229,8 +229,8 @@ class Plan:
         """What a hand waits for."""
         return Job(self._timed(side), HandTimes(PRODUCTS, self.preset.of_a_hand))
 
-    def _times(self, side, name, methods, by_the_clock=False):
-        method = FrameTimes(name, tuple(methods), self.preset.rounds, by_the_clock)
+    def _times(self, side, name, methods, on_all=False):
+        method = FrameTimes(name, tuple(methods), self.preset.rounds, on_all)
         return Job(self._timed(side), method)
 
     @property

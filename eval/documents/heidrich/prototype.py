@@ -152,7 +152,7 @@ class InTurns(_OfFile):
 
     name = "beside the prototype"
     cost = 10.0
-    by_the_clock = True
+    alone = True
 
     def run(self, scene, seed, progress=None):
         """Make the frames.

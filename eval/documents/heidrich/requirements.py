@@ -77,7 +77,7 @@ def frame_rate(plan, method):
     if method not in DENSE and method not in RIVALS:
         return 1000 / frame_times(plan.times(side)).loc[method, "cpu"]
     jobs = [plan.picture(style, method) for style in STYLES]
-    seconds = [stored(job).stages.get("cpu", stored(job).seconds) for job in jobs]
+    seconds = [stored(job).processor_seconds for job in jobs]
     pixels = [job.scene.pixels for job in jobs]
     return 1 / (min(np.divide(seconds, pixels)) * side**2)
 

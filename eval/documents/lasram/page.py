@@ -175,7 +175,7 @@ def _performance(plan, report):
             "radius_times", "time as R grows", pictures.radius_times_figure, plan, committed=True
         ),
         report.table("radius_times", radii, radii),
-        "Processor time, that of both threads together, the least of three runs: a busy machine "
+        "Processor time, that of all threads together, the least of three runs: a busy machine "
         "changes it little.",
         *_waits(plan, report),
     ]

@@ -150,7 +150,7 @@ class Plan:
 
     def _quiet(self, exemplar, label, shape, **changes):
         params = TextureParams.preset("paper", **changes)
-        return self._job(exemplar, TextureSynthesis(label, params, QUIET), shape, 0)
+        return self._job(exemplar, TextureSynthesis(label, params, QUIET, alone=True), shape, 0)
 
     def spread(self, gamma):
         """Deformation that fades as γ says; no patch is rejected."""
@@ -190,7 +190,7 @@ class Plan:
     def timed(self, size, radius=64):
         """A row of the table of times."""
         params = TextureParams.preset("paper", radius=radius)
-        method = TextureSynthesis(f"timed, R = {radius}", params, by_the_clock=True)
+        method = TextureSynthesis(f"timed, R = {radius}", params, alone=True)
         return self._job("gravel", method, (size, size), 0)
 
     def timed_radius(self, size, radius):

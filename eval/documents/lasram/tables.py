@@ -115,14 +115,9 @@ def quality(plan):
         jobs |= {program.name: [plan.rival(exemplar, program)] for program in plan.rivals}
         for method, runs in jobs.items():
             numbers = pd.DataFrame([numbers_of(job) for job in runs]).mean().to_dict()
-            seconds = np.mean([_processor_seconds(stored(job)) for job in runs])
+            seconds = np.mean([stored(job).processor_seconds for job in runs])
             rows.append({"exemplar": exemplar, "method": method, **numbers, "seconds": seconds})
     return pd.DataFrame(rows)
-
-
-def _processor_seconds(run):
-    """Those of all threads, or seconds by the clock of a method that knows no others."""
-    return run.stages.get("cpu", run.seconds)
 
 
 def formatted(table):
