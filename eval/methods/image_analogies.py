@@ -13,6 +13,7 @@ then chooses among the eight by the whole neighbourhood.
 import time
 from dataclasses import dataclass
 
+import numba
 import numpy as np
 from numba import njit
 from scipy.spatial import cKDTree
@@ -164,7 +165,7 @@ def _candidates(source, target):
     tree = cKDTree(centred @ axes)
     wanted = (target.reshape(-1, count) - mean) @ axes
     nearest = min(NEAREST, len(centred))
-    _, indices = tree.query(wanted, k=nearest, eps=APPROXIMATION, workers=-1)
+    _, indices = tree.query(wanted, k=nearest, eps=APPROXIMATION, workers=numba.get_num_threads())
     return indices.reshape(-1, nearest)
 
 

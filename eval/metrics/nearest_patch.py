@@ -1,5 +1,6 @@
 """Whether every patch of a texture is one of the exemplar's, and every one of those is there."""
 
+import numba
 import numpy as np
 from scipy.spatial import cKDTree
 from skimage.util import view_as_windows
@@ -67,7 +68,8 @@ def distance_to_nearest(wanted, cloud):
     """
     mean = cloud.mean(axis=0)
     axes = np.linalg.eigh(np.cov(cloud, rowvar=False))[1][:, -COMPONENTS:]
-    _, nearest = cKDTree((cloud - mean) @ axes).query((wanted - mean) @ axes, k=3, workers=-1)
+    threads = numba.get_num_threads()  # a run that has others beside it has one
+    _, nearest = cKDTree((cloud - mean) @ axes).query((wanted - mean) @ axes, k=3, workers=threads)
     squares = ((cloud[nearest] - wanted[:, None]) ** 2).mean(axis=2)
     return float(np.sqrt(squares.min(axis=1)).mean())
 

@@ -14,6 +14,7 @@ from concurrent.futures.process import BrokenProcessPool
 from ctypes import CDLL
 
 import numba
+from threadpoolctl import threadpool_limits
 
 from eval.runs.local import do_here, work
 
@@ -98,6 +99,7 @@ def _begin(tasks):
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
     numba.set_num_threads(1)
+    threadpool_limits(1)  # of NumPy's linear algebra
 
 
 def _work(number):

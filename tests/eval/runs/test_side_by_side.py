@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numba
 import numpy as np
 import pytest
+from threadpoolctl import threadpool_info
 
 from eval.outcome import Outcome
 from eval.runs.complete import Task, complete
@@ -43,6 +44,7 @@ class Told:
             os.kill(os.getpid(), signal.SIGKILL)
         image = np.random.default_rng(seed).integers(0, 1 << 40, (100, 100, 3))  # fills any pipe
         image[0, 0] = os.getpid(), numba.get_num_threads(), seed
+        image[0, 1] = max(each["num_threads"] for each in threadpool_info())
         return Outcome(image, 0.0)
 
 
@@ -76,6 +78,7 @@ def test_processes_have_one_thread_each(tasks_of):
     processes, threads, seeds = told(tasks)
     assert MAIN not in processes
     assert set(threads) == {1}
+    assert {stored(task.job).image[0, 1, 0] for task in tasks} == {1}
     np.testing.assert_array_equal(seeds, range(SEVERAL))
 
 
