@@ -11,7 +11,7 @@ import pytest
 import eval.documents.lasram.report as report_module
 import eval.runs.local
 from eval.__main__ import main
-from eval.documents.lasram import overlap
+from eval.documents.lasram import overlap, patch_pictures, timing
 from eval.documents.lasram.cut_quality import summary
 from eval.documents.lasram.plan import Plan
 from eval.documents.lasram.presets import Preset
@@ -29,6 +29,8 @@ def folder(tmp_path_factory):
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(folder)
         patch.setattr(report_module, "Plan", tiny_plan)
+        patch.setattr(patch_pictures, "TRIED", 5)
+        patch.setattr(timing, "REPEATS", 1)
         assert main(["lasram", "--output", "report"]) == 0
     return folder
 
