@@ -31,6 +31,6 @@ class Preset:
 
 
 PRESETS = {
-    "quick": Preset((0,), SIZES[:3], 150, (384, 512)),
+    "quick": Preset((0,), SIZES[:3], 300, (384, 512)),
     "full": Preset((0, 1, 2, 3, 4), SIZES, 3000, COMPLETED, (1024, 4096)),
 }

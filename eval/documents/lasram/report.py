@@ -15,7 +15,7 @@ def add_options(parser):
     """Declare what the report may be told."""
     parser.add_argument(
         "--preset", choices=PRESETS, default="quick",
-        help="quick: one seed, 150 cuts, S up to 1024x1024; full: five seeds, 3000 cuts, up to "
+        help="quick: one seed, 300 cuts, S up to 1024x1024; full: five seeds, 3000 cuts, up to "
         "2048x2048, completion at 1600x1200 and memory at 8192x8192 (default quick)",
     )  # fmt: skip
     for name in RIVALS:
