@@ -53,7 +53,7 @@ def test_verdicts_are_counted_and_each_report_is_linked(made):
     text = (BUILT / "documents" / "report.md").read_text(encoding="utf-8")
     assert rows_of(text) == {
         "[Lasram and Lefebvre 2012](../lasram_quick/report.html)": ["2", "0", "1"],
-        "[Dzurenko 2017](../quick_golem_hand/report.html)": ["0", "1", "0"],
+        "[Dzurenko 2017](../quick_golem_teapot/report.html)": ["0", "1", "0"],
     }
 
 
@@ -61,7 +61,7 @@ def test_what_cannot_be_made_is_said_in_a_sentence_and_the_others_are_made(made)
     assert "eval: heidrich is left out: heidrich: is not rendered" in made[1]
     text = (BUILT / "documents" / "report.md").read_text(encoding="utf-8")
     assert "Heidrich 2017 is left out: heidrich: is not rendered." in text
-    assert (BUILT / "quick_golem_hand" / "claims.csv").exists()
+    assert (BUILT / "quick_golem_teapot" / "claims.csv").exists()
 
 
 def test_a_failed_run_of_one_report_decides_the_exit_code(made):
