@@ -109,7 +109,7 @@ class StylitRef:
             omega=result.omega,
             guide_map=result.guide_maps[-1] if result.guide_maps else None,
             levels=tuple(levels),
-            stages={} if self.alone else {"cpu": cpu},
+            stages={"cpu": cpu} if self.backend == "cpu" else {},
             history=history,
         )
 

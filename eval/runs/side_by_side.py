@@ -6,9 +6,6 @@ run's image does not depend on the number of threads, and its processor time har
 
 import multiprocessing
 import signal
-import sys
-import threading
-import warnings
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from concurrent.futures.process import BrokenProcessPool
 from ctypes import CDLL
@@ -17,6 +14,7 @@ import numba
 from threadpoolctl import threadpool_limits
 
 from eval.runs.local import do_here, work
+from stylit_ref.machine.shared_work import forking, possible_processes
 
 MOST = 8
 """Processes. A run of 1200x912 pixels takes up to a gigabyte."""
@@ -32,24 +30,13 @@ def do_side_by_side(tasks, bar):
     their times would be those of a busy machine. So are all where processes cannot be forked
     safely, since this process has other threads or the system is not Linux, and those that are left
     when a process is killed, as where memory is short.
-
-    Parameters
-    ----------
-    tasks : sequence of Task
-    bar : tqdm.tqdm
-        It counts their costs.
-
-    Yields
-    ------
-    Task, and what :func:`eval.runs.local.work` returns or the exception it ended with
     """
     together = [task for task in tasks if not _is_alone(task)]
     # The longest begin first, so that no process has a long one left when the others are done.
     together.sort(key=lambda task: -task.job.cost)
     alone = [task for task in tasks if _is_alone(task)]
-    # Asking starts Numba's threads. A fork of a process that has them knows that it has lost them.
-    processes = min(numba.get_num_threads(), len(together), MOST)
-    if processes > 1 and sys.platform == "linux" and threading.active_count() == 1:
+    processes = min(possible_processes(), len(together), MOST)
+    if processes > 1:
         left = dict(enumerate(together))
         for number, outcome in _in_processes(together, processes, bar):
             yield left.pop(number), outcome
@@ -67,9 +54,7 @@ def _in_processes(tasks, processes, bar):
         processes, multiprocessing.get_context("fork"), _begin, (tuple(tasks),)
     )
     try:
-        with warnings.catch_warnings():
-            # Python warns of threads. Those of OpenMP wait and hold no lock.
-            warnings.simplefilter("ignore", DeprecationWarning)
+        with forking():
             futures = {pool.submit(_work, number): number for number in range(len(tasks))}
         for future in as_completed(list(futures)):
             number = futures.pop(future)  # else results would be kept until the last is there

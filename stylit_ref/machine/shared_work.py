@@ -8,7 +8,8 @@ import signal
 import sys
 import threading
 import warnings
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 
 from numba import get_num_threads
 
@@ -41,7 +42,7 @@ def share(pieces: Sequence[Callable[[], None]], beginning: Callable[[int], None]
 
     forks = []
     try:
-        while len(forks) < min(_processes(), count) - 1:
+        while len(forks) < min(possible_processes(), count) - 1:
             forks.append(_fork(work))
         taken = b"\0"
         while taken:
@@ -58,17 +59,30 @@ def share(pieces: Sequence[Callable[[], None]], beginning: Callable[[int], None]
             os.waitpid(fork, 0)
 
 
-def _processes():
+def possible_processes() -> int:
+    """As many as a run has threads, or 1 where there are no forks (:func:`share`).
+
+    Asking starts Numba's threads. A fork of a process that has them knows that it has lost them.
+    """
     if sys.platform != "linux" or threading.active_count() > 1:
         return 1
     return get_num_threads()
 
 
+@contextmanager
+def forking() -> Iterator[None]:
+    """While the block forks, Python does not warn of threads.
+
+    Those of libraries, which alone there are, wait and hold no lock.
+    """
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", DeprecationWarning)
+        yield
+
+
 def _fork(work):
     """Do the work in another process, which then ends; returns its number."""
-    with warnings.catch_warnings():
-        # Python warns of threads. Those of libraries, which alone there are, wait and hold no lock.
-        warnings.simplefilter("ignore", DeprecationWarning)
+    with forking():
         fork = os.fork()
     if fork:
         return fork

@@ -47,7 +47,7 @@ def test_this_process_does_the_first(tmp_path):
 def forks(monkeypatch):
     """The numbers of the forks, whatever threads the tests before have left in this process."""
     begun, fork = [], os.fork
-    monkeypatch.setattr(shared_work, "_processes", lambda: 3)
+    monkeypatch.setattr(shared_work, "possible_processes", lambda: 3)
     monkeypatch.setattr(os, "fork", lambda: begun.append(fork()) or begun[-1])
     return begun
 
