@@ -1,16 +1,17 @@
-"""Make the report on a publication: do its runs, then write its page."""
+"""Make reports on publications: do their runs, then write their pages."""
 
 import hashlib
 import json
 import sys
-import time
 from collections.abc import Callable
+from functools import partial
 from typing import NamedTuple
 
 from eval.pages.page import Report, is_up_to_date, new_report
 from eval.pages.web_page import SCRIPT, STYLE
 from eval.provenance import provenance
 from eval.runs.complete import Task, complete
+from eval.runs.side_by_side import do_all
 from eval.runs.store import numbers_of, run_file, stored
 
 
@@ -36,35 +37,45 @@ class Document(NamedTuple):
     inputs: list
 
 
-def make_document(document, folder, scheduler=None):
-    """Do the runs that are not stored yet, and write the page.
+def make_documents(documents, scheduler=None):
+    """Do the runs that are not stored yet, those of all reports together, and write the pages.
 
     Parameters
     ----------
-    document : Document
-    folder : Path
+    documents : dict of Path to Document
+        By the folder of the report.
     scheduler : str, optional
         Address of the Dask scheduler whose cluster does the runs.
 
     Returns
     -------
     int
-        The exit code: 1 if a run failed. Each that failed is named, the others are kept.
+        The exit code: 1 if a run failed. Each that failed is named, and the others are kept.
     """
-    begun = time.perf_counter()
-    if _is_up_to_date(document, folder):
-        print(f"eval: {folder} is up to date", file=sys.stderr)
-    elif failures := complete(document.tasks, scheduler):
-        for title, reason in failures.items():
-            print(f"eval: failed: {title}: {reason}", file=sys.stderr)
-        count = f"{len(failures)} of {len(document.tasks)} runs failed"
-        print(f"eval: no report: {count}; the others are kept", file=sys.stderr)
-        return 1
-    else:
-        with new_report(folder, _digest(document), begun) as report:
-            report.page(document.title, document.sections(report))
-    print(f"Written: {folder / 'report.html'}")
-    return 0
+    old = [folder for folder, document in documents.items() if not _is_up_to_date(document, folder)]
+    failures = complete([task for folder in old for task in documents[folder].tasks], scheduler)
+    for failure in failures.values():
+        print(f"eval: failed: {failure}", file=sys.stderr)
+    pages, code = [], 0
+    for folder, document in documents.items():
+        failed = sum(task.job.key in failures for task in document.tasks)
+        if failed:
+            count = f"{failed} of {len(document.tasks)} runs failed"
+            print(f"eval: no {folder / 'report.html'}: {count}; others are kept", file=sys.stderr)
+            code = 1
+        elif folder in old:
+            pages.append(partial(_write, document, folder))
+        else:
+            print(f"eval: {folder} is up to date", file=sys.stderr)
+    do_all(pages)
+    return code
+
+
+def _write(document, folder):
+    """Write the page; all runs are stored."""
+    with new_report(folder, _digest(document)) as report:
+        report.page(document.title, document.sections(report))
+    print(f"Written: {folder / 'report.html'}", flush=True)
 
 
 def _is_up_to_date(document, folder):

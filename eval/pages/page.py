@@ -6,7 +6,6 @@ report itself lists the files to commit; :mod:`eval.reports.publish` copies them
 
 import json
 import shutil
-import time
 from contextlib import contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -123,7 +122,7 @@ class Report:
 
 
 @contextmanager
-def new_report(folder, inputs=None, begun=None):
+def new_report(folder, inputs=None):
     """Make a report in a temporary folder; it replaces the last one when it is complete.
 
     Parameters
@@ -131,9 +130,6 @@ def new_report(folder, inputs=None, begun=None):
     folder : Path
     inputs : str, optional
         Identifies everything that the report is made from (:func:`is_up_to_date`).
-    begun : float, optional
-        Wall seconds when its runs began (:func:`time.perf_counter`); the record tells how long it
-        took.
 
     Yields
     ------
@@ -145,30 +141,29 @@ def new_report(folder, inputs=None, begun=None):
     with TemporaryDirectory(prefix=_PARTIAL, dir=folder) as partial:
         report = Report(Path(partial))
         yield report
-        seconds = begun and time.perf_counter() - begun
-        write_record(report.folder, report.files, report.committed, inputs, seconds)
+        write_record(report.folder, report.files, report.committed, inputs)
         for file in (*read_record(folder)["files"], RECORD):
             (folder / file).unlink(missing_ok=True)
         for file in (*report.files, RECORD):  # the record last: a report without it is made again
             (report.folder / file).replace(folder / file)
 
 
-def write_record(folder, files, committed, inputs=None, seconds=None):
+def write_record(folder, files, committed, inputs=None):
     """Write the record of a report."""
-    record = {"inputs": inputs, "files": files, "committed": committed, "seconds": seconds}
+    record = {"inputs": inputs, "files": files, "committed": committed}
     (folder / RECORD).write_text(json.dumps(record, indent=1) + "\n", encoding="utf-8")
 
 
 def read_record(folder):
-    """The record of a report: ``inputs``, ``files``, ``committed``, ``seconds``; else empty."""
+    """The record of a report: ``inputs``, ``files``, ``committed``; empty if none can be read."""
     try:
         record = json.loads((folder / RECORD).read_text(encoding="utf-8"))
         names = {part: list(map(str, record[part])) for part in ("files", "committed")}
         if all(Path(name).name == name for part in names.values() for name in part):
-            return {"inputs": record["inputs"], "seconds": record.get("seconds"), **names}
+            return {"inputs": record["inputs"], **names}
     except (OSError, ValueError, KeyError, TypeError):
         pass
-    return {"inputs": None, "seconds": None, "files": [], "committed": []}
+    return {"inputs": None, "files": [], "committed": []}
 
 
 def is_up_to_date(folder, inputs):

@@ -1,15 +1,17 @@
-"""Make the reports on all four publications, one after the other, and a page that leads to them."""
+"""Make the reports on all four publications, and a page that leads to them."""
 
 import argparse
 import csv
 import sys
+import time
 from importlib import import_module
 from typing import NamedTuple
 
 import pandas as pd
 
 from eval.pages.claims import HELD, NOT_HELD, OPEN
-from eval.pages.page import BUILT, new_report, read_record
+from eval.pages.document import make_documents
+from eval.pages.page import BUILT, new_report
 from eval.pages.tables import table
 from eval.provenance import provenance
 from stylit_ref import InputError
@@ -61,24 +63,26 @@ def main(options):
 
     A report that cannot be made, since something is not there, is named, and the others are made.
     """
-    code, missing = 0, {}
+    begun = time.perf_counter()
+    documents, missing = {}, {}
     for name, part in PARTS.items():
-        print(f"eval: {part.title}", file=sys.stderr)
         module = import_module(f"eval.documents.{name}.report")
         parser = argparse.ArgumentParser()
         module.add_options(parser)
         try:
-            code = max(code, module.main(parser.parse_args(part.options)))
+            documents |= module.prepared(parser.parse_args(part.options))
         except (InputError, OSError) as error:
             print(f"eval: {name} is left out: {error}", file=sys.stderr)
             missing[name] = str(error)
+    code = make_documents(documents)
     with new_report(FRONT) as report:
-        report.page("Four publications, and what we found", _sections(missing))
+        page = _sections(missing, time.perf_counter() - begun)
+        report.page("Four publications, and what we found", page)
     print(f"Written: {FRONT / 'report.html'}")
     return code
 
 
-def _sections(missing):
+def _sections(missing, seconds):
     rows = [_row(name, part, missing) for name, part in PARTS.items()]
     yield (
         "Every table and figure of four publications is made again by this implementation, and "
@@ -87,9 +91,10 @@ def _sections(missing):
     yield table(pd.DataFrame(rows))
     for name, reason in missing.items():
         yield f"{PARTS[name].title} is left out: {reason}."
+    time_taken = f"{seconds / 60:.0f} minutes" if seconds >= 60 else f"{seconds:.0f} seconds"
     yield (
-        "The time is that of the command that wrote the report; runs that were kept from an "
-        f"earlier one took none of it. This page was written by {provenance()}."
+        f"The command took {time_taken}; runs that were kept from an earlier one took none of it. "
+        f"This page was written by {provenance()}."
     )
 
 
@@ -102,13 +107,10 @@ def _row(name, part, missing):
     except OSError:
         verdicts = None
     if name in missing or verdicts is None:
-        cells = dict.fromkeys((HELD, NOT_HELD, OPEN, "time"), "")
+        cells = dict.fromkeys((HELD, NOT_HELD, OPEN), "")
         return {"publication": part.title, "subject": part.subject} | cells
-    seconds = read_record(folder)["seconds"]
     return {
         "publication": f"[{part.title}](../{part.folder}/report.html)",
         "subject": part.subject,
         **{each: str(verdicts.count(each)) for each in (HELD, NOT_HELD, OPEN)},
-        "time": "" if seconds is None else f"{seconds / 60:.0f} min" if seconds >= 60
-        else f"{seconds:.0f} s",
-    }  # fmt: skip
+    }

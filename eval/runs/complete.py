@@ -31,9 +31,9 @@ def complete(tasks, scheduler=None):
     Returns
     -------
     dict of str to str
-        Title of every run that failed, and the last line of its error.
+        Title of every run that failed and the last line of its error, by the key of its job.
     """
-    missing = [task for task in tasks if not _is_done(task)]
+    missing = [task for task in _once(tasks) if not _is_done(task)]
     if not missing:
         return {}
     failures = {}
@@ -45,7 +45,8 @@ def complete(tasks, scheduler=None):
         )
         for task, outcome in finished:
             if isinstance(outcome, BaseException):
-                failures[task.job.title] = traceback.format_exception_only(outcome)[-1].strip()
+                reason = traceback.format_exception_only(outcome)[-1].strip()
+                failures[task.job.key] = f"{task.job.title}: {reason}"
             else:
                 result, numbers = outcome
                 store(task.job, result)
@@ -55,3 +56,12 @@ def complete(tasks, scheduler=None):
 
 def _is_done(task):
     return stored(task.job) is not None and stored_numbers(task.job).keys() >= set(task.metrics)
+
+
+def _once(tasks):
+    """Each run once, with all that is to be measured of it."""
+    metrics = {}
+    for task in tasks:
+        metrics.setdefault(task.job.key, {}).update(dict.fromkeys(task.metrics))
+    jobs = {task.job.key: task.job for task in tasks}
+    return [Task(job, tuple(metrics[key])) for key, job in jobs.items()]

@@ -1,4 +1,4 @@
-"""Do runs on this machine side by side, each in a process of its own that computes on one thread.
+"""Do work on this machine side by side, each piece in a process that computes on one thread.
 
 So no run waits for the slowest of its threads, and while one is measured, another one is done. A
 run's image does not depend on the number of threads, and its processor time hardly does.
@@ -9,6 +9,7 @@ import signal
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from concurrent.futures.process import BrokenProcessPool
 from ctypes import CDLL
+from functools import partial
 
 import numba
 from threadpoolctl import threadpool_limits
@@ -20,45 +21,78 @@ MOST = 8
 """Processes. A run of 1200x912 pixels takes up to a gigabyte."""
 
 _PR_SET_PDEATHSIG = 1
-_tasks = ()
+_pieces = ()
 
 
 def do_side_by_side(tasks, bar):
     """Do tasks, as :func:`eval.runs.local.do_here` does them one after another.
 
     Those whose method is to be ``alone`` are done one after another, on all threads: beside others
-    their times would be those of a busy machine. So are all where processes cannot be forked
-    safely, since this process has other threads or the system is not Linux, and those that are left
-    when a process is killed, as where memory is short.
+    their times would be those of a busy machine. So are all that :func:`in_processes` leaves.
     """
     together = [task for task in tasks if not _is_alone(task)]
     # The longest begin first, so that no process has a long one left when the others are done.
     together.sort(key=lambda task: -task.job.cost)
     alone = [task for task in tasks if _is_alone(task)]
-    processes = min(possible_processes(), len(together), MOST)
-    if processes > 1:
-        left = dict(enumerate(together))
-        for number, outcome in _in_processes(together, processes, bar):
-            yield left.pop(number), outcome
-        together = list(left.values())
-    yield from do_here(together + alone, bar)
+    left = dict(enumerate(together))
+    pieces = [partial(work, task.job, task.metrics) for task in together]
+    for number, outcome in in_processes(pieces):
+        task = left.pop(number)
+        bar.set_description_str(task.job.title)
+        yield task, outcome
+        bar.update(task.job.cost)
+    yield from do_here([*left.values(), *alone], bar)
 
 
 def _is_alone(task):
     return getattr(task.job.method, "alone", False)
 
 
-def _in_processes(tasks, processes, bar):
-    """Give the number of each task that is done, and its outcome."""
+def do_all(pieces):
+    """Call functions that return nothing, side by side where there are several.
+
+    Raises
+    ------
+    Exception
+        That which one of them raised; the others are called all the same.
+    """
+    left, errors = dict(enumerate(pieces)), []
+    for number, error in in_processes(pieces):
+        del left[number]
+        if error:
+            errors.append(error)
+    for piece in left.values():
+        piece()
+    if errors:
+        raise errors[0]
+
+
+def in_processes(pieces):
+    """Call functions, each in one of several processes.
+
+    Parameters
+    ----------
+    pieces : sequence of callable
+        They need not be known to :mod:`pickle`, but what they return is.
+
+    Yields
+    ------
+    The number of each that is done, and what it returned or the exception it ended with. Some are
+    left to the caller: those that a process was doing or would have done when one was killed, as
+    where memory is short; and all, if there is one piece or one thread, or if processes cannot be
+    forked safely, since this one has other threads or the system is not Linux.
+    """
+    processes = min(possible_processes(), len(pieces), MOST)
+    if processes < 2:
+        return
     pool = ProcessPoolExecutor(
-        processes, multiprocessing.get_context("fork"), _begin, (tuple(tasks),)
+        processes, multiprocessing.get_context("fork"), _begin, (tuple(pieces),)
     )
     try:
         with forking():
-            futures = {pool.submit(_work, number): number for number in range(len(tasks))}
+            futures = {pool.submit(_call, number): number for number in range(len(pieces))}
         for future in as_completed(list(futures)):
             number = futures.pop(future)  # else results would be kept until the last is there
-            bar.set_description_str(tasks[number].job.title)
             try:
                 outcome = future.result()
             except BrokenProcessPool:
@@ -67,7 +101,6 @@ def _in_processes(tasks, processes, bar):
                 outcome = error
             del future
             yield number, outcome
-            bar.update(tasks[number].job.cost)
     except BaseException:
         for process in multiprocessing.active_children():
             process.terminate()
@@ -76,10 +109,10 @@ def _in_processes(tasks, processes, bar):
         pool.shutdown(cancel_futures=True)
 
 
-def _begin(tasks):
+def _begin(pieces):
     """A process begins. Ctrl-C is for the process that gives it work, and it ends with that one."""
-    global _tasks
-    _tasks = tasks
+    global _pieces
+    _pieces = pieces
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
@@ -87,5 +120,5 @@ def _begin(tasks):
     threadpool_limits(1)  # of NumPy's linear algebra
 
 
-def _work(number):
-    return work(_tasks[number].job, _tasks[number].metrics)
+def _call(number):
+    return _pieces[number]()

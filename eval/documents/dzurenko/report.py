@@ -4,7 +4,7 @@ from pathlib import Path
 
 from eval.documents.dzurenko.page import document
 from eval.documents.dzurenko.plan import PRESETS, own_scene, preset
-from eval.pages.document import make_document
+from eval.pages.document import make_documents
 from eval.pages.options import add_output, folder_of
 from stylit_ref import InputError
 from stylit_ref.stylization.backends import BACKENDS
@@ -43,8 +43,13 @@ def add_options(parser):
 
 def main(options):
     """Do the runs and make the report; returns the exit code."""
+    return make_documents(prepared(options), options.scheduler)
+
+
+def prepared(options):
+    """The document by the folder of its report, for :func:`eval.pages.document.make_documents`."""
     plan = _plan(options)
-    return make_document(document(plan), folder_of(options, plan.name), plan.scheduler)
+    return {folder_of(options, plan.name): document(plan)}
 
 
 def _plan(options):

@@ -10,7 +10,7 @@ from eval.documents.hauptfleisch.page import document
 from eval.documents.hauptfleisch.plan import Plan, Study
 from eval.documents.hauptfleisch.presets import PRESETS
 from eval.documents.hauptfleisch.sintel import FLOW, FRAMES, HIDDEN, read_sintel
-from eval.pages.document import make_document
+from eval.pages.document import make_documents
 from eval.pages.options import add_output, folder_of
 from eval.read_frames import GUIDES, read_frames
 from stylit_ref import InputError
@@ -47,6 +47,11 @@ def add_options(parser):
 
 def main(options):
     """Do the runs and make the report; returns the exit code."""
+    return make_documents(prepared(options))
+
+
+def prepared(options):
+    """The document by the folder of its report, for :func:`eval.pages.document.make_documents`."""
     preset, data = PRESETS[options.preset], options.data
     missing = []
     studies = {
@@ -73,7 +78,7 @@ def main(options):
     plan = Plan(
         options.preset, preset, studies, styles, data / SIZES["house"], turning, thesis_size
     )  # fmt: skip
-    return make_document(document(plan, missing), folder_of(options, f"hauptfleisch_{plan.name}"))
+    return {folder_of(options, f"hauptfleisch_{plan.name}"): document(plan, missing)}
 
 
 def _frames(options, name, style):

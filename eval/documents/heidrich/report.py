@@ -11,7 +11,7 @@ from eval.documents.heidrich.page import document
 from eval.documents.heidrich.plan import PRESETS, PRODUCTS, SIDES, Plan
 from eval.documents.heidrich.prototype import prototype_of
 from eval.documents.heidrich.turning import turning
-from eval.pages.document import make_document
+from eval.pages.document import make_documents
 from eval.pages.options import add_output, folder_of
 from stylit_ref import InputError
 
@@ -34,6 +34,11 @@ def add_options(parser):
 
 def main(options):
     """Do the runs and make the report; returns the exit code."""
+    return make_documents(prepared(options))
+
+
+def prepared(options):
+    """The document by the folder of its report, for :func:`eval.pages.document.make_documents`."""
     if options.preset == "full":
         shown = partial(stage.rendered, side=SIDES[0])
         timed, large = partial(stage.rendered, "oil"), None
@@ -47,7 +52,7 @@ def main(options):
         options.preset, PRESETS[options.preset], shown, timed, large=large, turning=turn,
         asides=tuple(_asides(options)),
     )  # fmt: skip
-    return make_document(document(plan), folder_of(options, f"heidrich_{plan.name}"))
+    return {folder_of(options, f"heidrich_{plan.name}"): document(plan)}
 
 
 def _asides(options):

@@ -182,7 +182,7 @@ def _performance(plan, report):
 
 
 def _waits(plan, report):
-    waits, memory = interaction(plan), peak_memory(plan)
+    waits, memory = interaction(plan.interaction), peak_memory(plan)
     text = [
         "### What a hand waits for",
         report.table("interaction", waits, waits.round(1).astype(str)),
@@ -240,9 +240,8 @@ def _holes(plan, report):
 
 
 def _threads(plan, report):
-    exemplar = plan.timed(plan.preset.sizes[0]).scene.exemplar
-    iterations = timing(exemplar, [*((size, 64) for size in plan.preset.sizes), (plan.side, 128)])
-    possible, large = ceiling(), iterations.iloc[-1]
+    iterations, possible = timing(plan.of_threads), ceiling(plan.ceiling)
+    large = iterations.iloc[-1]
     return [
         report.table("times_of_threads", iterations, iterations),
         f"One thread and two in turns, each the median of {REPEATS} runs from white noise; times "

@@ -4,7 +4,9 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from eval.documents.lasram.cut_quality import CutQuality
+from eval.documents.lasram.interaction import SIDE, Interaction
 from eval.documents.lasram.presets import Preset
+from eval.documents.lasram.timing import Ceiling, ThreadTimes
 from eval.methods.hole_filling import CURES, HOLES, HoleFilling
 from eval.methods.image_quilting import ImageQuilting
 from eval.methods.pixel_synthesis import PixelSynthesis
@@ -190,8 +192,7 @@ class Plan:
     def timed(self, size, radius=64):
         """A row of the table of times."""
         params = TextureParams.preset("paper", radius=radius)
-        method = TextureSynthesis(f"timed, R = {radius}", params, alone=True)
-        return self._job("gravel", method, (size, size), 0)
+        return self._timing(TextureSynthesis(f"timed, R = {radius}", params, alone=True), size)
 
     def timed_radius(self, size, radius):
         """A point of figure 15."""
@@ -201,6 +202,25 @@ class Plan:
     def timed_radii(self):
         """R of figure 15."""
         return 16, 32, 64, 96, 128
+
+    @property
+    def of_threads(self):
+        """Times on one thread and on two: every size, and figure 16."""
+        shapes = [*((size, 64) for size in self.preset.sizes), (self.side, 128)]
+        return [self._timing(ThreadTimes(radius), size) for size, radius in shapes]
+
+    @property
+    def ceiling(self):
+        """What two threads can gain on this machine."""
+        return self._timing(Ceiling(), self.side)
+
+    @property
+    def interaction(self):
+        """What a hand waits for."""
+        return self._timing(Interaction(), min(SIDE, max(self.preset.sizes)))
+
+    def _timing(self, method, size):
+        return self._job("gravel", method, (size, size), 0)
 
     @property
     def quality(self):
@@ -251,4 +271,10 @@ class Plan:
         figures = {job.key: Task(job, ("pieces",)) for job in jobs}
         beside = [self.pixels(name, label) for name in self.structured for label in JITTERS]
         beside += [self.large_radius(name) for name in self.structured]
-        return [*self.quality, *figures.values(), *(Task(job, METRICS) for job in beside)]
+        timings = [*self.of_threads, self.ceiling, self.interaction]
+        return [
+            *self.quality,
+            *figures.values(),
+            *(Task(job, METRICS) for job in beside),
+            *(Task(job, ()) for job in timings),
+        ]

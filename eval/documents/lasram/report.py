@@ -4,7 +4,7 @@ from eval.documents.lasram.page import document
 from eval.documents.lasram.plan import Plan
 from eval.documents.lasram.presets import PRESETS
 from eval.methods.texture_program import embark, gmic, img2texture
-from eval.pages.document import make_document
+from eval.pages.document import make_documents
 from eval.pages.options import add_output, folder_of
 from eval.textures import NINE
 
@@ -27,10 +27,15 @@ def add_options(parser):
 
 def main(options):
     """Do the runs and make the report; returns the exit code."""
+    return make_documents(prepared(options))
+
+
+def prepared(options):
+    """The document by the folder of its report, for :func:`eval.pages.document.make_documents`."""
     rivals = [
         make(getattr(options, name)) for name, make in RIVALS.items() if getattr(options, name)
     ]
     for rival in rivals:
         rival.binary  # noqa: B018  one that is not there is named before anything is done
     plan = Plan(options.preset, PRESETS[options.preset], NINE, tuple(rivals))
-    return make_document(document(plan), folder_of(options, f"lasram_{plan.name}"))
+    return {folder_of(options, f"lasram_{plan.name}"): document(plan)}

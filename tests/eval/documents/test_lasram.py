@@ -8,6 +8,7 @@ import numpy as np
 import pandas as pd
 import pytest
 
+import eval.documents.lasram.plan as plan_module
 import eval.documents.lasram.report as report_module
 import eval.runs.local
 from eval.__main__ import main
@@ -31,6 +32,7 @@ def folder(tmp_path_factory):
         patch.setattr(report_module, "Plan", tiny_plan)
         patch.setattr(patch_pictures, "TRIED", 5)
         patch.setattr(timing, "REPEATS", 1)
+        patch.setattr(plan_module, "FILLED", ("bricks",))
         assert main(["lasram", "--output", "report"]) == 0
     return folder
 

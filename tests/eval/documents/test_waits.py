@@ -8,22 +8,20 @@ from small_textures import spots
 
 from eval.documents.lasram import interaction as interaction_module
 from eval.documents.lasram import peak_memory as memory_module
-from eval.documents.lasram.interaction import interaction
+from eval.documents.lasram.interaction import Interaction, interaction
 from eval.documents.lasram.peak_memory import peak_memory
-from stylit_ref.texture.synthesize import synthesize_texture
+from eval.runs.job import Job
+from eval.runs.local import run
+from eval.textures import Texture
 
 
 @pytest.mark.slow
-def test_times_of_a_patch_and_of_a_stroke(monkeypatch):
-    exemplar = spots(1, 256)
-    run = SimpleNamespace(coordinates=synthesize_texture(exemplar, (320, 320)).coordinates)
-    job = SimpleNamespace(scene=SimpleNamespace(exemplar=exemplar))
-    plan = SimpleNamespace(
-        preset=SimpleNamespace(sizes=(320,)), timed=lambda size: job if size == 320 else None
-    )
-    monkeypatch.setattr(interaction_module, "stored", lambda asked: run)
+def test_times_of_a_patch_and_of_a_stroke(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(interaction_module, "REPEATS", 2)
-    table = interaction(plan)
+    job = Job(Texture("spots", spots(1, 256), (320, 320)), Interaction())
+    assert len(run(job).history) == 3 * 2
+    table = interaction(job)
     assert table["at most [ms]"].tolist() == [10, 40, 50]
     assert (table[["least [ms]", "least of processors [ms]"]] > 0).all(axis=None)
     assert (table["least [ms]"] <= table["median [ms]"]).all()

@@ -16,7 +16,7 @@ from eval.pages.claims import (
     majority,
     verdict_section,
 )
-from eval.pages.document import Document, made_on, make_document
+from eval.pages.document import Document, made_on, make_documents
 from eval.runs.complete import Task
 from eval.runs.job import Job
 from eval.textures import load_texture
@@ -49,22 +49,33 @@ def document(*methods, inputs=()):
 
 def test_a_page_is_written_again_only_if_something_changed(tmp_path, capsys):
     folder = tmp_path / "report"
-    assert make_document(document(Grey()), folder) == 0
+    assert make_documents({folder: document(Grey())}) == 0
     assert "- stylit-ref" in (folder / "report.md").read_text(encoding="utf-8")
     assert "is up to date" not in capsys.readouterr().err
-    assert make_document(document(Grey()), folder) == 0
+    assert make_documents({folder: document(Grey())}) == 0
     assert "is up to date" in capsys.readouterr().err
-    assert make_document(document(Grey(), inputs=["other code"]), folder) == 0
+    assert make_documents({folder: document(Grey(), inputs=["other code"])}) == 0
     assert "is up to date" not in capsys.readouterr().err
 
 
 def test_a_failed_run_is_named_and_there_is_no_page(tmp_path, capsys):
     folder = tmp_path / "report"
-    assert make_document(document(Grey(), Grey(fails=True)), folder) == 1
+    assert make_documents({folder: document(Grey(), Grey(fails=True))}) == 1
     said = capsys.readouterr().err
     assert "eval: failed: bricks, grey, seed 0: MemoryError: too little" in said
-    assert "1 of 2 runs failed; the others are kept" in said
+    assert f"eval: no {folder / 'report.html'}: 1 of 2 runs failed; others are kept" in said
     assert not folder.exists()
+
+
+def test_of_two_reports_with_a_run_in_common_that_without_failures_is_written(tmp_path, capsys):
+    whole, lacking = tmp_path / "whole", tmp_path / "lacking"
+    documents = {lacking: document(Grey(), Grey(fails=True)), whole: document(Grey())}
+    assert make_documents(documents) == 1
+    assert (whole / "report.html").exists()
+    assert not lacking.exists()
+    assert "is up to date" not in capsys.readouterr().err
+    assert make_documents(documents) == 1
+    assert f"eval: {whole} is up to date" in capsys.readouterr().err
 
 
 def test_a_tie_does_not_hold():

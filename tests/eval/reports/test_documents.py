@@ -1,5 +1,7 @@
 """The front page of all reports, and what happens if one of them cannot be made."""
 
+import re
+from dataclasses import dataclass
 from types import SimpleNamespace
 
 import pandas as pd
@@ -7,38 +9,55 @@ import pytest
 
 from eval.__main__ import main
 from eval.pages.claims import HELD, NOT_HELD, OPEN
-from eval.pages.page import BUILT, new_report
+from eval.pages.document import Document
+from eval.pages.page import BUILT
 from eval.reports import documents
+from eval.runs.complete import Task
+from eval.runs.job import Job
+from eval.textures import load_texture
 from stylit_ref import InputError
 
 
-def report_of(name, verdicts):
+@dataclass(frozen=True)
+class Fails:
+    """A method that fails."""
+
+    name, code, device, cost = "fails", "1", "here", 1.0
+
+    def run(self, texture, seed, progress=None):
+        raise MemoryError("too little")
+
+
+def report_of(name, verdicts, *methods):
     """A module of a report whose claims have these verdicts; without any, it cannot be made."""
 
-    def make(options):
+    def prepared(options):
         if not verdicts:
             raise InputError(f"{name}: is not rendered")
-        folder = BUILT / documents.PARTS[name].folder
-        with new_report(folder, name, begun=0.0) as report:
-            report.csv("claims", pd.DataFrame({"verdict": verdicts}))
-        return 1 if name == "lasram" else 0
 
-    return SimpleNamespace(add_options=lambda parser: parser.add_argument("--seeds"), main=make)
+        def sections(report):
+            return [report.csv("claims", pd.DataFrame({"verdict": verdicts}))]
+
+        texture = load_texture("bricks", (8, 8))
+        tasks = [Task(Job(texture, method), ()) for method in methods]
+        return {BUILT / documents.PARTS[name].folder: Document(name, tasks, sections, [])}
+
+    return SimpleNamespace(
+        add_options=lambda parser: parser.add_argument("--seeds"), prepared=prepared
+    )
 
 
 @pytest.fixture
 def made(tmp_path, monkeypatch, capsys):
     """The exit code, and what was said, if a run of one report failed and another is left out."""
     monkeypatch.chdir(tmp_path)
-    parts = {
-        name: documents.PARTS[name]._replace(options=())
-        for name in ("lasram", "heidrich", "dzurenko")
-    }
+    parts = {name: part._replace(options=()) for name, part in documents.PARTS.items()}
     monkeypatch.setattr(documents, "PARTS", parts)
     modules = {
         "eval.documents.lasram.report": report_of("lasram", [HELD, HELD, OPEN]),
         "eval.documents.heidrich.report": report_of("heidrich", []),
         "eval.documents.dzurenko.report": report_of("dzurenko", [NOT_HELD]),
+        "eval.documents.hauptfleisch.report": report_of("hauptfleisch", [HELD], Fails()),
     }
     monkeypatch.setattr(documents, "import_module", modules.get)
     return main([]), capsys.readouterr().err
@@ -66,3 +85,10 @@ def test_what_cannot_be_made_is_said_in_a_sentence_and_the_others_are_made(made)
 
 def test_a_failed_run_of_one_report_decides_the_exit_code(made):
     assert made[0] == 1
+    assert "eval: failed: bricks, fails, seed 0: MemoryError: too little" in made[1]
+    assert not (BUILT / "hauptfleisch_quick").exists()
+
+
+def test_the_page_tells_how_long_it_took(made):
+    text = (BUILT / "documents" / "report.md").read_text(encoding="utf-8")
+    assert re.search(r"The command took \d+ seconds; ", text)

@@ -14,6 +14,7 @@ from threadpoolctl import threadpool_info
 from eval.outcome import Outcome
 from eval.runs.complete import Task, complete
 from eval.runs.job import Job
+from eval.runs.side_by_side import do_all
 from eval.runs.store import stored
 from eval.scenes import load_scene
 from stylit_ref import InputError
@@ -93,8 +94,9 @@ def test_what_is_to_be_alone_is_done_by_this_process(tasks_of):
 def test_a_run_that_fails_is_named_and_the_others_are_kept(tasks_of):
     tasks = tasks_of(Told("fails"))
     failures = complete(tasks)
-    assert list(failures) == [tasks[1].job.title]
-    assert "seed is not possible" in failures[tasks[1].job.title]
+    assert list(failures) == [tasks[1].job.key]
+    assert failures[tasks[1].job.key].startswith(f"{tasks[1].job.title}: ")
+    assert "seed is not possible" in failures[tasks[1].job.key]
     assert [stored(task.job) is None for task in tasks] == [seed == 1 for seed in range(SEVERAL)]
 
 
@@ -110,3 +112,22 @@ def test_what_a_killed_process_leaves_is_done_alone(tasks_of):
     processes, _, seeds = told(tasks)
     assert processes[1] == MAIN
     np.testing.assert_array_equal(seeds, range(SEVERAL))
+
+
+@pytest.mark.usefixtures("tasks_of")
+def test_all_pieces_are_called_even_if_one_fails(tmp_path):
+    def write(number):
+        (tmp_path / str(number)).write_text(str(os.getpid()))
+        if number == 1:
+            raise InputError("is not possible", parameter="number")
+
+    with pytest.raises(InputError, match="number is not possible"):
+        do_all([lambda number=number: write(number) for number in range(4)])
+    processes = {(tmp_path / str(number)).read_text() for number in range(4)}
+    assert str(MAIN) not in processes
+
+
+@pytest.mark.usefixtures("tasks_of")
+def test_one_piece_is_called_here(tmp_path):
+    do_all([lambda: (tmp_path / "piece").write_text(str(os.getpid()))])
+    assert (tmp_path / "piece").read_text() == str(MAIN)
