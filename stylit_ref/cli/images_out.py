@@ -16,6 +16,7 @@ from stylit_ref.files.colour.profile import (
 )
 from stylit_ref.files.disk.paths import check_distinct, check_folder
 from stylit_ref.files.field import Field
+from stylit_ref.files.guides.encoding import GuideEncoding
 from stylit_ref.files.nnf_file import check_nnf_writable, write_nnf
 from stylit_ref.files.write_image import check_image_writable, write_image
 from stylit_ref.stylization.mask import filled_channels
@@ -54,7 +55,11 @@ class Outputs(NamedTuple):
     ----------
     options : argparse.Namespace
     params : Params
-    images : ImagesIn
+    source_size : (int, int)
+        Height and width of the style.
+    mask : (H_B, W_B) bool or None
+    guide_encodings : tuple of GuideEncoding
+        How each pair of guides became 8 bits.
     profile : ColourProfile
         What the style's file says of its colours; the pictures say it too.
     deep : DeepImages or None
@@ -63,7 +68,9 @@ class Outputs(NamedTuple):
 
     options: argparse.Namespace
     params: Params
-    images: ImagesIn
+    source_size: tuple[int, int]
+    mask: NDArray[np.bool_] | None
+    guide_encodings: tuple[GuideEncoding, ...]
     profile: ColourProfile
     deep: DeepImages | None
 
@@ -75,14 +82,13 @@ class Outputs(NamedTuple):
 
     def write(self, result: Result) -> None:
         """Write all that is left to write once a run is done."""
-        height, width = self.images.style.shape[:2]
         field = Field(
             result.nnf,
             self.params.patch_width,
             self.params.vote_outliers,
-            (height, width),
-            self.images.mask,
-            self.images.guide_encodings,
+            self.source_size,
+            self.mask,
+            self.guide_encodings,
         )
         image = result.image
         if self.deep:
@@ -129,8 +135,9 @@ def check_outputs(options: argparse.Namespace, params: Params, images: ImagesIn)
     profile = read_colour_profile(options.style)
     if options.fill:
         note_another_profile(options.fill, profile)
+    deep = read_deep_images(options, images.deep_style, channels)
     return Outputs(
-        options, params, images, profile, read_deep_images(options, images.deep_style, channels)
+        options, params, images.style.shape[:2], images.mask, images.guide_encodings, profile, deep
     )
 
 

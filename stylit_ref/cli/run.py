@@ -117,15 +117,19 @@ def run(options: argparse.Namespace) -> None:
     outputs = check_outputs(options, params, images)
     if images.mask is not None and not images.mask.any():
         note("has no white pixel, so none is left alone", parameter="mask", level=logging.WARNING)
+    # Nobody but the run holds these images, so that it can free them.
+    large = [images.target_guides, images.source_guides, images.style]
+    mask, fill = images.mask, images.fill
+    del images
     with ProgressLine(options.quiet, options.verbose) as line:
         result = offer.run(
-            images.style,
-            images.source_guides,
-            images.target_guides,
+            large.pop(),
+            large.pop(),
+            large.pop(),
             params,
             seed=options.seed,
-            mask=images.mask,
-            fill=images.fill,
+            mask=mask,
+            fill=fill,
             backend=options.backend,
             threads=options.threads,
             compiling=line.compiling,

@@ -8,6 +8,9 @@ the box sum of Ω. All three are maps of integers, so the order of additions doe
 import numpy as np
 from numpy.typing import NDArray
 
+_ROWS = 64
+"""So many are done at a time, since what is made on the way takes several times their memory."""
+
 
 def count_assignments(nnf: NDArray[np.int32], source_size: tuple[int, int]) -> NDArray[np.int32]:
     """n, the number of target patches assigned to each source centre.
@@ -24,10 +27,13 @@ def count_assignments(nnf: NDArray[np.int32], source_size: tuple[int, int]) -> N
     (H_A, W_A) int32
     """
     height, width = source_size
-    assigned = nnf[:, :, 0] >= 0
-    places = nnf[:, :, 0][assigned].astype(np.int64) * width + nnf[:, :, 1][assigned]
-    counts = np.bincount(places, minlength=height * width)
-    return counts.astype(np.int32).reshape(source_size)
+    counts = np.zeros(height * width, np.int32)
+    for first in range(0, len(nnf), _ROWS):
+        y, x = np.moveaxis(nnf[first : first + _ROWS], -1, 0)
+        assigned = y >= 0
+        places = y[assigned].astype(np.int64) * width + x[assigned]
+        np.add.at(counts, places, np.int32(1))
+    return counts.reshape(source_size)
 
 
 def box_sum(values: NDArray[np.int32], patch_width: int) -> NDArray[np.int32]:
@@ -44,9 +50,12 @@ def box_sum(values: NDArray[np.int32], patch_width: int) -> NDArray[np.int32]:
     """
     radius = patch_width // 2
     height, width = values.shape
-    padded = np.pad(values, radius)
-    rows = sum(padded[dy : dy + height] for dy in range(patch_width))
-    return sum(rows[:, dx : dx + width] for dx in range(patch_width))
+    padded, sums = np.pad(values, radius), np.empty_like(values)
+    for first in range(0, height, _ROWS):
+        last = min(first + _ROWS, height)
+        rows = sum(padded[first + dy : last + dy] for dy in range(patch_width))
+        sums[first:last] = sum(rows[:, dx : dx + width] for dx in range(patch_width))
+    return sums
 
 
 def occurrence_map(

@@ -118,6 +118,7 @@ def make_synthesis(
     mask: NDArray[np.bool_] | None = None,
     fill: NDArray[np.uint8] | None = None,
     backend: Backend = CPU,
+    forgets: bool = False,
 ) -> Synthesis:
     """Check images and parameters, and lay them out for a run.
 
@@ -127,6 +128,8 @@ def make_synthesis(
         As for :func:`stylit_ref.stylize`; ``fill`` is checked alone.
     backend : Backend
         From :func:`stylit_ref.stylization.backends.find_backend`.
+    forgets : bool
+        Whether each level can be begun once only, which takes less memory.
 
     Returns
     -------
@@ -148,7 +151,7 @@ def make_synthesis(
     params = fit_levels(params, style.shape[:2], size)
     exemplar = make_exemplar(style, sources, params, backend=backend)
     target = make_target(targets, exemplar, mask=mask)
-    return Synthesis(exemplar, target, params, seed, backend.iterate)
+    return Synthesis(exemplar, target, params, seed, backend.iterate, forgets)
 
 
 def _style(style):

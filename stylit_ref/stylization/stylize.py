@@ -129,31 +129,32 @@ def stylize(
     with using_threads(threads), together:
         synthesis = make_synthesis(
             style, source_guides, target_guides, params,
-            seed=seed, mask=mask, fill=fill, backend=found,
+            seed=seed, mask=mask, fill=fill, backend=found, forgets=True,
         )  # fmt: skip
+        is_grey = np.ndim(style) == 2
+        del style, source_guides, target_guides  # the synthesis has them in its own layout
         download = found.passes.download
         for number in synthesis.level_numbers:
             for step in synthesis.run_level(number):
                 history.append(step)
                 if progress:
                     progress(step)
-            synthesis.exemplar.forget(synthesis.depth)  # no other run shares it
             if params.traits.has_guide_map:
                 guide_maps.append(download(synthesis.level.textures.guide_map))
             if on_level:
-                on_level(number, _shaped_like(style, synthesis.level.style))
+                on_level(number, _shaped(synthesis.level.style, is_grey))
     finest = synthesis.level
-    del synthesis  # the pyramids make room for the result
-    image = finest.style
+    image, synthesized = np.ascontiguousarray(finest.style), finest.target.synthesized
+    nnf, omega, delta = map(download, (finest.nnf, finest.omega, finest.delta))
+    del synthesis, finest  # pyramids and moments make room for the result
     if mask is not None:
         filling = None if fill is None else as_array(fill, "fill")
         image = fill_masked(image, as_array(mask, "mask"), filling)
-    synthesized = finest.target.synthesized
     return Result(
-        image=_shaped_like(style, image),
-        nnf=download(finest.nnf),
-        omega=download(finest.omega),
-        error=np.where(synthesized, download(finest.delta) / ONE, np.nan).astype(np.float32),
+        image=_shaped(image, is_grey),
+        nnf=nnf,
+        omega=omega,
+        error=np.where(synthesized, delta / ONE, np.nan).astype(np.float32),
         history=tuple(history),
         guide_maps=tuple(guide_maps),
     )
@@ -163,7 +164,7 @@ def _channels(image):
     return np.shape(image)[2] if np.ndim(image) == 3 else 1
 
 
-def _shaped_like(style, image):
-    """Copy an (H, W, n) image out of its texture, without the last axis for a 2-D style."""
+def _shaped(image, is_grey):
+    """Copy an (H, W, n) image out of its texture, without the last axis beside a 2-D style."""
     image = np.ascontiguousarray(image)
-    return image[:, :, 0] if np.ndim(style) == 2 and image.shape[2] == 1 else image
+    return image[:, :, 0] if is_grey and image.shape[2] == 1 else image

@@ -47,6 +47,9 @@ class Synthesis:
     seed : int
     iterate : callable, optional
         A PatchMatch iteration that replaces that of ``params.schedule``.
+    forgets : bool
+        Whether what levels of exemplar and target are made of is freed as soon as this run needs it
+        no more. Then no other run may share them, and no level can be begun twice.
 
     Attributes
     ----------
@@ -79,6 +82,7 @@ class Synthesis:
         params: Params,
         seed: int = 0,
         iterate: Iterate | None = None,
+        forgets: bool = False,
     ) -> None:
         if params.levels == ALL:
             most = most_levels(params.patch_width, exemplar.size, target.size)
@@ -86,7 +90,7 @@ class Synthesis:
         check_halves(exemplar, target, params)
         check_seed(seed)
         self.exemplar, self.target, self.params, self.seed = exemplar, target, params, seed
-        self.iterate = iterate or SCHEDULES[params.schedule]
+        self.iterate, self._forgets = iterate or SCHEDULES[params.schedule], forgets
         self.level, self.level_number, self.vote_number = None, 0, 0
         self._work = [
             int(np.count_nonzero(target.synthesized(self._depth(number)))) * self._votes(number)
@@ -145,6 +149,8 @@ class Synthesis:
         self.level = None  # makes room for the next
         self.level_number, self.vote_number = number, votes
         exemplar, target = self.exemplar.level(self.depth), self.target.level(self.depth)
+        if self._forgets:
+            self.target.forget(self.depth)
         level = Level(exemplar, target, self.params)
         if nnf is not None:
             check_nnf(nnf, exemplar.size, target.synthesized, level.patch_width)
@@ -199,6 +205,8 @@ class Synthesis:
         level = self._begun()
         level.vote()
         level.init_occurrence_map()
+        if self._forgets:
+            self.exemplar.forget(self.depth)
         return level
 
     def run_level(self, number: int) -> Iterator[Step]:

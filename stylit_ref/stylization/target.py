@@ -5,6 +5,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from stylit_ref.errors import InputError
 from stylit_ref.formulae.guide_map import sums_dtype
 from stylit_ref.machine.replaced import Passes
 from stylit_ref.metric.packing import Packing
@@ -162,6 +163,8 @@ class Target:
         """The level that is ``depth`` halvings below the finest (thesis 3.4), for one run only."""
         while len(self._textures) <= depth:
             self._textures.append(self.passes.downsample(self._textures[-1]))
+        if self._textures[depth] is None:
+            raise InputError("this level of the target is forgotten; make the target again")
         radius = self.patch_width // 2
         return TargetLevel(
             self.passes,
@@ -170,3 +173,7 @@ class Target:
             self.passes.repeat_edge(self._textures[depth], radius),
             self.synthesized(depth),
         )
+
+    def forget(self, depth: int) -> None:
+        """Free the texture that a level is made of; :meth:`level` cannot make it again."""
+        self._textures[depth] = None

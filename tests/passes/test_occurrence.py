@@ -5,6 +5,8 @@ import numpy as np
 import pytest
 from small_level import make_level
 
+from stylit_ref import passes
+
 
 @pytest.mark.parametrize("patch_width", [3, 5, 7])
 def test_occurrence_map_is_a_count(patch_width):
@@ -23,3 +25,19 @@ def test_masked_pixels_do_not_count():
     masked[:7] = True
     level = make_level(masked=masked)
     assert level.omega.sum() == 25 * 7 * 12
+
+
+def test_many_rows_are_counted_as_few_are():
+    random = np.random.default_rng(0)
+    nnf = random.integers(0, (150, 20), (200, 20, 2), dtype=np.int32)
+    nnf[70:75] = -1
+    counts = np.zeros((150, 20), np.int32)
+    for y, x in nnf[nnf[:, :, 0] >= 0]:
+        counts[y, x] += 1
+    np.testing.assert_array_equal(passes.count_assignments(nnf, counts.shape), counts)
+    sums = passes.box_sum(counts, 5)
+    assert sums.dtype == np.int32
+    for y in range(150):
+        window = counts[max(0, y - 2) : y + 3]
+        for x in range(20):
+            assert sums[y, x] == window[:, max(0, x - 2) : x + 3].sum()

@@ -1,6 +1,7 @@
 """``stylize`` as a user calls it."""
 
 import logging
+import weakref
 
 import numba
 import numpy as np
@@ -493,3 +494,15 @@ def test_votes_by_level_count_from_the_finest():
     ]  # fmt: skip
     assert [step.done for step in steps] == sorted(step.done for step in steps)
     assert steps[-1].done == 1
+
+
+def test_images_that_nobody_else_holds_are_freed_once_they_are_packed():
+    style, sources, targets = small_scene()
+    large = [[each.copy() for each in targets], [each.copy() for each in sources], style.copy()]
+    watched = [weakref.ref(each) for each in (*large[0], *large[1], large[2])]
+    there = []
+    stylize(
+        large.pop(), large.pop(), large.pop(), QUICK,
+        progress=lambda step: there.append(sum(each() is not None for each in watched)),
+    )  # fmt: skip
+    assert set(there) == {0}

@@ -219,3 +219,13 @@ def test_a_style_of_ones_own_between_vote_and_search():
     again.begin_level(1)
     again.vote()
     assert list(again.search()) == before
+
+
+def test_a_run_that_forgets_gives_the_same_and_cannot_begin_a_level_twice():
+    kept = make_synthesis(*small_scene(), PARAMS, seed=3)
+    forgetful = make_synthesis(*small_scene(), PARAMS, seed=3, forgets=True)
+    np.testing.assert_array_equal(forgetful.finish().nnf, kept.finish().nnf)
+    last = kept.level_numbers[-1]
+    kept.begin_level(last, kept.level.nnf)
+    with pytest.raises(InputError, match="is forgotten; make the target again"):
+        forgetful.begin_level(last, forgetful.level.nnf)
