@@ -13,6 +13,7 @@ from eval.provenance import provenance
 from eval.runs.complete import Task, complete
 from eval.runs.side_by_side import do_all
 from eval.runs.store import numbers_of, run_file, stored
+from stylit_ref import InputError
 
 
 class Document(NamedTuple):
@@ -25,7 +26,8 @@ class Document(NamedTuple):
         Its runs, and what to measure of them.
     sections : callable
         Called with the :class:`eval.pages.page.Report` when all runs are stored; gives the page's
-        Markdown blocks.
+        Markdown blocks. It may be called in another process, while other pages are written, and
+        so it measures no times.
     inputs : list
         What the page is made of besides its runs, as JSON knows it: the digest of its code, and of
         files that it shows. While nothing of it changes, the page is not written again.
@@ -50,25 +52,37 @@ def make_documents(documents, scheduler=None):
     Returns
     -------
     int
-        The exit code: 1 if a run failed. Each that failed is named, and the others are kept.
+        The exit code: 1 if a run failed or a page could not be written. Each is named, and all the
+        others are kept.
+
+    Raises
+    ------
+    Exception
+        That which a page ended with by a fault of ours.
     """
     old = [folder for folder, document in documents.items() if not _is_up_to_date(document, folder)]
     failures = complete([task for folder in old for task in documents[folder].tasks], scheduler)
+    reasons, pages = {}, {}
+    for folder in old:
+        document = documents[folder]
+        if failed := sum(task.job.key in failures for task in document.tasks):
+            reasons[folder] = f"{failed} of {len(document.tasks)} runs failed; the others are kept"
+        else:
+            pages[folder] = partial(_write, document, folder)
+    errors = do_all(list(pages.values()))
+    reasons |= {list(pages)[number]: error for number, error in errors.items()}
     for failure in failures.values():
         print(f"eval: failed: {failure}", file=sys.stderr)
-    pages, code = [], 0
-    for folder, document in documents.items():
-        failed = sum(task.job.key in failures for task in document.tasks)
-        if failed:
-            count = f"{failed} of {len(document.tasks)} runs failed"
-            print(f"eval: no {folder / 'report.html'}: {count}; others are kept", file=sys.stderr)
-            code = 1
-        elif folder in old:
-            pages.append(partial(_write, document, folder))
-        else:
-            print(f"eval: {folder} is up to date", file=sys.stderr)
-    do_all(pages)
-    return code
+    for folder in documents:
+        page = folder / "report.html"
+        if folder in reasons:
+            print(f"eval: {page} is not written: {reasons[folder]}", file=sys.stderr)
+        elif folder not in old:
+            print(f"eval: {page} is up to date", file=sys.stderr)
+    for error in errors.values():
+        if not isinstance(error, InputError | OSError):
+            raise error
+    return 1 if reasons else 0
 
 
 def _write(document, folder):

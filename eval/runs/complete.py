@@ -60,8 +60,8 @@ def _is_done(task):
 
 def _once(tasks):
     """Each run once, with all that is to be measured of it."""
-    metrics = {}
-    for task in tasks:
-        metrics.setdefault(task.job.key, {}).update(dict.fromkeys(task.metrics))
-    jobs = {task.job.key: task.job for task in tasks}
-    return [Task(job, tuple(metrics[key])) for key, job in jobs.items()]
+    found = {}
+    for job, metrics in tasks:
+        others = found[job.key].metrics if job.key in found else ()
+        found[job.key] = Task(job, tuple(dict.fromkeys((*others, *metrics))))
+    return list(found.values())

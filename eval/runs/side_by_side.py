@@ -28,7 +28,7 @@ def do_side_by_side(tasks, bar):
     """Do tasks, as :func:`eval.runs.local.do_here` does them one after another.
 
     Those whose method is to be ``alone`` are done one after another, on all threads: beside others
-    their times would be those of a busy machine. So are all that :func:`in_processes` leaves.
+    their times would be those of a busy machine. So are all that :func:`_in_processes` leaves.
     """
     together = [task for task in tasks if not _is_alone(task)]
     # The longest begin first, so that no process has a long one left when the others are done.
@@ -36,7 +36,7 @@ def do_side_by_side(tasks, bar):
     alone = [task for task in tasks if _is_alone(task)]
     left = dict(enumerate(together))
     pieces = [partial(work, task.job, task.metrics) for task in together]
-    for number, outcome in in_processes(pieces):
+    for number, outcome in _in_processes(pieces):
         task = left.pop(number)
         bar.set_description_str(task.job.title)
         yield task, outcome
@@ -51,23 +51,29 @@ def _is_alone(task):
 def do_all(pieces):
     """Call functions that return nothing, side by side where there are several.
 
-    Raises
-    ------
-    Exception
-        That which one of them raised; the others are called all the same.
+    Parameters
+    ----------
+    pieces : sequence of callable
+
+    Returns
+    -------
+    dict of int to Exception
+        What some of them ended with, by their numbers; the others were called all the same.
     """
-    left, errors = dict(enumerate(pieces)), []
-    for number, error in in_processes(pieces):
+    left, errors = dict(enumerate(pieces)), {}
+    for number, error in _in_processes(pieces):
         del left[number]
         if error:
-            errors.append(error)
-    for piece in left.values():
-        piece()
-    if errors:
-        raise errors[0]
+            errors[number] = error
+    for number, piece in left.items():
+        try:
+            piece()
+        except Exception as error:
+            errors[number] = error
+    return errors
 
 
-def in_processes(pieces):
+def _in_processes(pieces):
     """Call functions, each in one of several processes.
 
     Parameters

@@ -117,19 +117,17 @@ def run(options: argparse.Namespace) -> None:
     outputs = check_outputs(options, params, images)
     if images.mask is not None and not images.mask.any():
         note("has no white pixel, so none is left alone", parameter="mask", level=logging.WARNING)
-    # Nobody but the run holds these images, so that it can free them.
-    large = [images.target_guides, images.source_guides, images.style]
-    mask, fill = images.mask, images.fill
-    del images
+    held = images._asdict()
+    del images  # so that nobody but the run holds what it can free
     with ProgressLine(options.quiet, options.verbose) as line:
         result = offer.run(
-            large.pop(),
-            large.pop(),
-            large.pop(),
+            held.pop("style"),
+            held.pop("source_guides"),
+            held.pop("target_guides"),
             params,
             seed=options.seed,
-            mask=mask,
-            fill=fill,
+            mask=held["mask"],
+            fill=held["fill"],
             backend=options.backend,
             threads=options.threads,
             compiling=line.compiling,

@@ -48,8 +48,8 @@ class Synthesis:
     iterate : callable, optional
         A PatchMatch iteration that replaces that of ``params.schedule``.
     forgets : bool
-        Whether what levels of exemplar and target are made of is freed as soon as this run needs it
-        no more. Then no other run may share them, and no level can be begun twice.
+        Whether levels of the target, and what was computed for those of the exemplar, are freed as
+        soon as this run needs them no more. Then no level can be begun twice.
 
     Attributes
     ----------

@@ -164,7 +164,7 @@ class Target:
         while len(self._textures) <= depth:
             self._textures.append(self.passes.downsample(self._textures[-1]))
         if self._textures[depth] is None:
-            raise InputError("this level of the target is forgotten; make the target again")
+            raise InputError("this level of the target is forgotten; begin with a new target")
         radius = self.patch_width // 2
         return TargetLevel(
             self.passes,

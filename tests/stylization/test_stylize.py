@@ -10,6 +10,8 @@ from small_scene import small_scene
 
 from stylit_ref import PRESETS, Field, InputError, Params, replay, stylize
 from stylit_ref.stylization.checks import most_levels
+from stylit_ref.stylization.exemplar import Exemplar
+from stylit_ref.stylization.target import Target
 
 QUICK = Params(levels=3, votes=2, patchmatch_iterations=2)
 
@@ -506,3 +508,16 @@ def test_images_that_nobody_else_holds_are_freed_once_they_are_packed():
         progress=lambda step: there.append(sum(each() is not None for each in watched)),
     )  # fmt: skip
     assert set(there) == {0}
+
+
+def test_levels_are_freed_when_the_run_needs_them_no_more(monkeypatch):
+    forgotten = []
+    for part in (Exemplar, Target):
+
+        def forget(self, depth, part=part, forget=part.forget):
+            forgotten.append((part, depth))
+            forget(self, depth)
+
+        monkeypatch.setattr(part, "forget", forget)
+    stylize(*small_scene(), QUICK)
+    assert forgotten == [(part, depth) for depth in (2, 1, 0) for part in (Target, Exemplar)]

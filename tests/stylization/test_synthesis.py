@@ -227,5 +227,5 @@ def test_a_run_that_forgets_gives_the_same_and_cannot_begin_a_level_twice():
     np.testing.assert_array_equal(forgetful.finish().nnf, kept.finish().nnf)
     last = kept.level_numbers[-1]
     kept.begin_level(last, kept.level.nnf)
-    with pytest.raises(InputError, match="is forgotten; make the target again"):
+    with pytest.raises(InputError, match="is forgotten; begin with a new target"):
         forgetful.begin_level(last, forgetful.level.nnf)

@@ -1,6 +1,5 @@
-"""One patch, pass by pass: what figures of a patch show, and how long each stage takes."""
+"""One patch, pass by pass: what figures of a patch show."""
 
-import time
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -17,9 +16,6 @@ from stylit_ref.texture.passes.deformation import rasterize
 from stylit_ref.texture.passes.layout import make_workspace
 from stylit_ref.texture.passes.new_seams import new_seams
 from stylit_ref.texture.session import TextureSession
-
-REPEATS = 40
-"""The least time of so many is that of a stage: nothing else ran in between."""
 
 
 @dataclass
@@ -123,36 +119,3 @@ class OnePatch:
         arrivals[jump + max(start, 0)] = 0
         accumulate(costs, steps, jump, arrivals, totals, less, more)
         return int(closed_path(totals, steps, jump, arrivals, path, *ends))
-
-
-def stage_shares(session):
-    """The share that each of the paper's four stages has in the time of a patch.
-
-    Parameters
-    ----------
-    session : TextureSession
-
-    Returns
-    -------
-    dict of str to float
-    """
-    height, width = session.size
-    centres = session.exemplars.centres(session.params.radius)
-    patch = OnePatch(session, (height // 2, width // 2), int(centres[centres.size // 2]))
-    stages = {
-        "": patch.read, "C: DP initialization": patch.begin_cut, "C: DP": patch.cut,
-        "D: DP initialization": patch.begin_alignment, "D: DP": patch.align, "rest": patch.write,
-    }  # fmt: skip
-    seconds = {name: _least_seconds(stage) for name, stage in stages.items()}
-    total = sum(seconds.values())
-    return {name: seconds[name] / total for name in list(stages)[1:5]}
-
-
-def _least_seconds(stage):
-    stage()  # compiled first
-    times = []
-    for _ in range(REPEATS):
-        begun = time.perf_counter()
-        stage()
-        times.append(time.perf_counter() - begun)
-    return min(times)

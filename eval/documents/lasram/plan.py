@@ -5,6 +5,7 @@ from functools import cached_property
 
 from eval.documents.lasram.cut_quality import CutQuality
 from eval.documents.lasram.interaction import SIDE, Interaction
+from eval.documents.lasram.patch_costs import PatchCosts
 from eval.documents.lasram.presets import Preset
 from eval.documents.lasram.timing import Ceiling, ThreadTimes
 from eval.methods.hole_filling import CURES, HOLES, HoleFilling
@@ -209,6 +210,10 @@ class Plan:
         shapes = [*((size, 64) for size in self.preset.sizes), (self.side, 128)]
         return [self._timing(ThreadTimes(radius), size) for size, radius in shapes]
 
+    def patch_costs(self, size):
+        """Stages of a patch, and memory."""
+        return self._timing(PatchCosts(), size)
+
     @property
     def ceiling(self):
         """What two threads can gain on this machine."""
@@ -272,6 +277,7 @@ class Plan:
         beside = [self.pixels(name, label) for name in self.structured for label in JITTERS]
         beside += [self.large_radius(name) for name in self.structured]
         timings = [*self.of_threads, self.ceiling, self.interaction]
+        timings += [self.patch_costs(size) for size in self.preset.sizes]
         return [
             *self.quality,
             *figures.values(),

@@ -1,16 +1,12 @@
 """The tables of section 8, the published numbers beside ours, and the study of quality."""
 
-import tracemalloc
-
 import numpy as np
 import pandas as pd
 
-from eval.documents.lasram.one_patch import stage_shares
+from eval.documents.lasram.patch_costs import SHARED
 from eval.documents.lasram.printed import STAGES, TIMES
 from eval.metrics import NUMBERS
 from eval.runs.store import numbers_of, stored
-from stylit_ref.texture.params import TextureParams
-from stylit_ref.texture.session import TextureSession
 
 PIECE_BOUND = 2.0
 """Pieces of ours may be so many times as large as those of image quilting."""
@@ -39,7 +35,7 @@ def times(plan):
         rows.append(
             {
                 "size of S": size,
-                "ours [MB]": round(memory(plan, size), 1),
+                "ours [MB]": round(stored(plan.patch_costs(size)).history["megabytes"][0], 1),
                 "ours, iterations 1 to 16 [ms]": round(milliseconds.mean(), 1),
                 "ours, 11 to 16 [ms]": round(milliseconds[10:].mean(), 1),
             }
@@ -54,28 +50,12 @@ def stages(plan):
     -------
     pandas.DataFrame
     """
-    rows, params = [], TextureParams.preset("paper")
+    rows = []
     for size in plan.preset.sizes:
-        job = plan.timed(size)
-        session = TextureSession(
-            [job.scene.exemplar], (size, size), params, start=stored(job).coordinates
-        )
-        shares = stage_shares(session).items()
-        rows.append(
-            {"size of S": size} | {f"ours, {stage}": round(share, 2) for stage, share in shares}
-        )
+        (shares,) = stored(plan.patch_costs(size)).history[list(SHARED)].to_dict("records")
+        ours = {f"ours, {stage}": round(share, 2) for stage, share in shares.items()}
+        rows.append({"size of S": size} | ours)
     return STAGES.merge(pd.DataFrame(rows), on="size of S")
-
-
-def memory(plan, size):
-    """Most MB of arrays while a session of the paper's settings is made and steps once."""
-    exemplar = plan.timed(size).scene.exemplar
-    tracemalloc.start()
-    try:
-        TextureSession([exemplar], (size, size), TextureParams.preset("paper")).step()
-        return tracemalloc.get_traced_memory()[1] / 1e6
-    finally:
-        tracemalloc.stop()
 
 
 def radii(plan):

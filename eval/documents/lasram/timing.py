@@ -171,7 +171,7 @@ def ceiling(job):
 
 
 def _medians(times):
-    """Of the mean iteration of each repeat, by the number of threads."""
+    """The median repeat's mean iteration, by the number of threads."""
     means = times.groupby(["threads", "repeat"])["milliseconds"].mean()
     return means.groupby("threads").median()
 

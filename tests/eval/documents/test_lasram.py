@@ -24,15 +24,20 @@ def tiny_plan(name, preset, exemplars, rivals):
     return Plan(name, Preset((0,), (256,), 3, (192, 256)), exemplars[:2], rivals, side=160)
 
 
+def make_tiny(patch):
+    """Let the report take that plan, and holes in one exemplar."""
+    patch.setattr(report_module, "Plan", tiny_plan)
+    patch.setattr(plan_module, "FILLED", ("bricks",))
+
+
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
     folder = tmp_path_factory.mktemp("lasram")
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(folder)
-        patch.setattr(report_module, "Plan", tiny_plan)
+        make_tiny(patch)
         patch.setattr(patch_pictures, "TRIED", 5)
         patch.setattr(timing, "REPEATS", 1)
-        patch.setattr(plan_module, "FILLED", ("bricks",))
         assert main(["lasram", "--output", "report"]) == 0
     return folder
 
@@ -63,7 +68,7 @@ def test_tables_have_published_and_own_numbers(folder):
 @pytest.mark.slow
 def test_a_second_time_nothing_is_computed(folder, monkeypatch, capsys):
     monkeypatch.chdir(folder)
-    monkeypatch.setattr(report_module, "Plan", tiny_plan)
+    make_tiny(monkeypatch)
     monkeypatch.setattr(eval.runs.local, "compute", None)
     assert main(["lasram", "--output", "report"]) == 0
     assert "is up to date" in capsys.readouterr().err

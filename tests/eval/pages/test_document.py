@@ -20,6 +20,7 @@ from eval.pages.document import Document, made_on, make_documents
 from eval.runs.complete import Task
 from eval.runs.job import Job
 from eval.textures import load_texture
+from stylit_ref import InputError
 
 
 @dataclass(frozen=True)
@@ -63,7 +64,8 @@ def test_a_failed_run_is_named_and_there_is_no_page(tmp_path, capsys):
     assert make_documents({folder: document(Grey(), Grey(fails=True))}) == 1
     said = capsys.readouterr().err
     assert "eval: failed: bricks, grey, seed 0: MemoryError: too little" in said
-    assert f"eval: no {folder / 'report.html'}: 1 of 2 runs failed; others are kept" in said
+    why = "is not written: 1 of 2 runs failed; the others are kept"
+    assert f"eval: {folder / 'report.html'} {why}" in said
     assert not folder.exists()
 
 
@@ -75,7 +77,29 @@ def test_of_two_reports_with_a_run_in_common_that_without_failures_is_written(tm
     assert not lacking.exists()
     assert "is up to date" not in capsys.readouterr().err
     assert make_documents(documents) == 1
-    assert f"eval: {whole} is up to date" in capsys.readouterr().err
+    assert f"eval: {whole / 'report.html'} is up to date" in capsys.readouterr().err
+
+
+def failing(error):
+    def sections(report):
+        raise error
+
+    return document(Grey())._replace(sections=sections)
+
+
+def test_a_page_that_cannot_be_written_is_named_and_the_others_are_written(tmp_path, capsys):
+    bad, whole = tmp_path / "bad", tmp_path / "whole"
+    documents = {bad: failing(InputError("is odd", parameter="sketch")), whole: document(Grey())}
+    assert make_documents(documents) == 1
+    assert f"eval: {bad / 'report.html'} is not written: sketch is odd" in capsys.readouterr().err
+    assert (whole / "report.html").exists()
+
+
+def test_a_fault_in_a_page_is_raised_when_the_others_are_written(tmp_path):
+    bad, whole = tmp_path / "bad", tmp_path / "whole"
+    with pytest.raises(ZeroDivisionError):
+        make_documents({bad: failing(ZeroDivisionError()), whole: document(Grey())})
+    assert (whole / "report.html").exists()
 
 
 def test_a_tie_does_not_hold():

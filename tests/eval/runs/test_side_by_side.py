@@ -5,6 +5,7 @@ import signal
 import sys
 import threading
 from dataclasses import dataclass
+from functools import partial
 
 import numba
 import numpy as np
@@ -12,10 +13,11 @@ import pytest
 from threadpoolctl import threadpool_info
 
 from eval.outcome import Outcome
+from eval.runs import side_by_side
 from eval.runs.complete import Task, complete
 from eval.runs.job import Job
 from eval.runs.side_by_side import do_all
-from eval.runs.store import stored
+from eval.runs.store import stored, stored_numbers
 from eval.scenes import load_scene
 from stylit_ref import InputError
 from stylit_ref.machine.interruption import heed_interruptions
@@ -115,19 +117,25 @@ def test_what_a_killed_process_leaves_is_done_alone(tasks_of):
 
 
 @pytest.mark.usefixtures("tasks_of")
-def test_all_pieces_are_called_even_if_one_fails(tmp_path):
+@pytest.mark.parametrize("processes", [1, 2])
+def test_all_pieces_are_called_even_if_some_fail(tmp_path, monkeypatch, processes):
+    monkeypatch.setattr(side_by_side, "possible_processes", lambda: processes)
+
     def write(number):
         (tmp_path / str(number)).write_text(str(os.getpid()))
-        if number == 1:
-            raise InputError("is not possible", parameter="number")
+        if number in (0, 2):
+            raise InputError(f"is {number}", parameter="number")
 
-    with pytest.raises(InputError, match="number is not possible"):
-        do_all([lambda number=number: write(number) for number in range(4)])
-    processes = {(tmp_path / str(number)).read_text() for number in range(4)}
-    assert str(MAIN) not in processes
+    errors = do_all([partial(write, number) for number in range(4)])
+    assert {number: str(error) for number, error in errors.items()} == {
+        0: "number is 0", 2: "number is 2",
+    }  # fmt: skip
+    found = {(tmp_path / str(number)).read_text() for number in range(4)}
+    assert (found == {str(MAIN)}) == (processes == 1)
 
 
-@pytest.mark.usefixtures("tasks_of")
-def test_one_piece_is_called_here(tmp_path):
-    do_all([lambda: (tmp_path / "piece").write_text(str(os.getpid()))])
-    assert (tmp_path / "piece").read_text() == str(MAIN)
+def test_a_run_that_two_reports_share_is_done_once_and_measured_for_both(tasks_of):
+    (first, *_) = tasks_of(Told())
+    usage = Task(first.job, ("usage",))
+    assert complete([first, usage]) == {}
+    assert stored_numbers(first.job).keys() == {"usage"}
