@@ -46,9 +46,7 @@ class PatchCosts(OnProcessor):
         """
         params, begun = TextureParams.preset("paper"), time.perf_counter()
         late = synthesize_texture(texture.exemplar, texture.shape, params, seed=seed)
-        session = TextureSession(
-            [texture.exemplar], texture.shape, params, start=late.coordinates
-        )
+        session = TextureSession([texture.exemplar], texture.shape, params, start=late.coordinates)
         row = stage_shares(session) | {"megabytes": _megabytes(texture, params)}
         seconds = time.perf_counter() - begun
         return Outcome(session.image, seconds, history=pd.DataFrame([row]))
