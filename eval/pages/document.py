@@ -69,8 +69,8 @@ def make_documents(documents, scheduler=None):
             reasons[folder] = f"{failed} of {len(document.tasks)} runs failed; the others are kept"
         else:
             pages[folder] = partial(_write, document, folder)
-    errors = do_all(list(pages.values()))
-    reasons |= {list(pages)[number]: error for number, error in errors.items()}
+    errors = do_all(pages)
+    reasons |= errors
     for failure in failures.values():
         print(f"eval: failed: {failure}", file=sys.stderr)
     for folder in documents:

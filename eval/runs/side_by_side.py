@@ -53,24 +53,23 @@ def do_all(pieces):
 
     Parameters
     ----------
-    pieces : sequence of callable
+    pieces : dict of callable
 
     Returns
     -------
-    dict of int to Exception
-        What some of them ended with, by their numbers; the others were called all the same.
+    dict of Exception
+        What some of them ended with, by the same keys; the others were called all the same.
     """
-    left, errors = dict(enumerate(pieces)), {}
-    for number, error in _in_processes(pieces):
-        del left[number]
-        if error:
-            errors[number] = error
-    for number, piece in left.items():
-        try:
-            piece()
-        except Exception as error:
-            errors[number] = error
-    return errors
+    keys, ends = list(pieces), {}
+    for number, end in _in_processes(list(pieces.values())):
+        ends[keys[number]] = end
+    for key in keys:
+        if key not in ends:
+            try:
+                ends[key] = pieces[key]()
+            except Exception as error:
+                ends[key] = error
+    return {key: end for key, end in ends.items() if end is not None}
 
 
 def _in_processes(pieces):

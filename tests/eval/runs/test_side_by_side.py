@@ -126,7 +126,7 @@ def test_all_pieces_are_called_even_if_some_fail(tmp_path, monkeypatch, processe
         if number in (0, 2):
             raise InputError(f"is {number}", parameter="number")
 
-    errors = do_all([partial(write, number) for number in range(4)])
+    errors = do_all({number: partial(write, number) for number in range(4)})
     assert {number: str(error) for number, error in errors.items()} == {
         0: "number is 0", 2: "number is 2",
     }  # fmt: skip
