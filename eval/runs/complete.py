@@ -59,9 +59,9 @@ def _is_done(task):
 
 
 def _once(tasks):
-    """Each run once, with all that is to be measured of it."""
+    """Each file of a run once, with all that is to be measured of it."""
     found = {}
     for job, metrics in tasks:
-        others = found[job.key].metrics if job.key in found else ()
-        found[job.key] = Task(job, tuple(dict.fromkeys((*others, *metrics))))
+        others = found[job.file_name].metrics if job.file_name in found else ()
+        found[job.file_name] = Task(job, tuple(dict.fromkeys((*others, *metrics))))
     return list(found.values())

@@ -4,7 +4,7 @@ import os
 import signal
 import sys
 import threading
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numba
@@ -139,3 +139,11 @@ def test_a_run_that_two_reports_share_is_done_once_and_measured_for_both(tasks_o
     usage = Task(first.job, ("usage",))
     assert complete([first, usage]) == {}
     assert stored_numbers(first.job).keys() == {"usage"}
+
+
+def test_one_scene_under_two_names_has_a_run_of_each(tasks_of):
+    (first, *_) = tasks_of(Told())
+    other = Task(replace(first.job, scene=replace(first.job.scene, name="other")), ())
+    assert other.job.key == first.job.key
+    assert complete([first, other]) == {}
+    assert None not in (stored(first.job), stored(other.job))
