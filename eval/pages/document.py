@@ -52,8 +52,8 @@ def make_documents(documents, scheduler=None):
     Returns
     -------
     int
-        The exit code: 1 if a run failed or a page could not be written. Each is named, and all the
-        others are kept.
+        The exit code: 2 if a page could not be written, or 1 if a run failed. Each is named, and all
+        the others are kept.
 
     Raises
     ------
@@ -82,7 +82,7 @@ def make_documents(documents, scheduler=None):
     for error in errors.values():
         if not isinstance(error, InputError | OSError):
             raise error
-    return 1 if reasons else 0
+    return 2 if errors else int(bool(failures))
 
 
 def _write(document, folder):

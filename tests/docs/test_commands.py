@@ -298,7 +298,8 @@ def script(page, blocks):
 
 def run(page, blocks, folder):
     """What each block of a page prints."""
-    environment = os.environ | {
+    environment = {name: value for name, value in os.environ.items() if name != "MAKEFLAGS"}
+    environment |= {  # a page's make has not the variables of the make that tests
         "PATH": f"{folder}/.venv/bin:{Path(sys.executable).parent}:{os.environ['PATH']}",
         "PYTHONPATH": os.pathsep.join(filter(None, [str(ROOT), os.environ.get("PYTHONPATH")])),
     }

@@ -90,7 +90,7 @@ def failing(error):
 def test_a_page_that_cannot_be_written_is_named_and_the_others_are_written(tmp_path, capsys):
     bad, whole = tmp_path / "bad", tmp_path / "whole"
     documents = {bad: failing(InputError("is odd", parameter="sketch")), whole: document(Grey())}
-    assert make_documents(documents) == 1
+    assert make_documents(documents) == 2
     assert f"eval: {bad / 'report.html'} is not written: sketch is odd" in capsys.readouterr().err
     assert (whole / "report.html").exists()
 
