@@ -52,8 +52,8 @@ def make_documents(documents, scheduler=None):
     Returns
     -------
     int
-        The exit code: 2 if a page could not be written, or 1 if a run failed. Each is named, and all
-        the others are kept.
+        The exit code: 2 if a page could not be written, or 1 if a run failed. Each is named, and
+        all the others are kept.
 
     Raises
     ------
