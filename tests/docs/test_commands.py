@@ -298,8 +298,9 @@ def script(page, blocks):
 
 def run(page, blocks, folder):
     """What each block of a page prints."""
-    environment = {name: value for name, value in os.environ.items() if name != "MAKEFLAGS"}
-    environment |= {  # a page's make has not the variables of the make that tests
+    environment = os.environ | {
+        "MAKEFLAGS": "",  # what make test was given is not for a page's make
+        "ARGS": "",
         "PATH": f"{folder}/.venv/bin:{Path(sys.executable).parent}:{os.environ['PATH']}",
         "PYTHONPATH": os.pathsep.join(filter(None, [str(ROOT), os.environ.get("PYTHONPATH")])),
     }
