@@ -80,3 +80,5 @@ def _plans():
         ("alone", "sweeps", [[]], [1, 2]),
     ):
         yield "plan", name, {"order": order, "neighbours": neighbours, "votes": votes}, {}
+    following = {"order": "sequential", "neighbours": [[], [0], []], "votes": [3, 2]}
+    yield "plan", "following", following | {"following_votes": [1, 3]}, {}

@@ -34,6 +34,7 @@ RUNS = {
     "two_channels": {"style_channels": 2, "target": (7, 11), "seed": (1 << 64) - 5},
     "odd": {"source": (9, 11), "target": (11, 7), "order": "sequential", "votes": 1},
     "outliers": {"outliers": 4, "votes": 1},
+    "following": {"order": "sequential", "votes": 3, "following_votes": 1, "frames": 3},
 }
 """How each run differs from two frames of ``ref`` at once."""
 

@@ -148,7 +148,8 @@ def _weights(_, parameters, arrays):
 
 
 def _plan(_, parameters, arrays):
-    plan = Plan(parameters["neighbours"], parameters["votes"], parameters["order"])
+    neighbours, votes, order = (parameters[name] for name in ("neighbours", "votes", "order"))
+    plan = Plan(neighbours, votes, order, parameters.get("following_votes"))
     tasks = list(plan.tasks())
     pulls = [(task, other) for task in tasks for other in plan.pulling(task)]
     return {

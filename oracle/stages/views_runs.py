@@ -32,7 +32,12 @@ def _params(parameters):
 
 
 def _coherence(parameters):
-    return Coherence(parameters["coherence"], parameters["form"], parameters["order"])
+    return Coherence(
+        parameters["coherence"],
+        parameters["form"],
+        parameters["order"],
+        parameters.get("following_votes"),
+    )
 
 
 def _split(parameters, guides):

@@ -13,7 +13,7 @@ from stylit_ref.cli.shot_options import add_other_outputs, add_shot_options, cho
 from stylit_ref.cli.shot_problems import ShotProblems
 from stylit_ref.cli.stylize_shot import stylize_shot
 from stylit_ref.views.keyframes import values_of_time
-from stylit_ref.views.params import SEQUENCE
+from stylit_ref.views.params import FAST_SEQUENCE, SEQUENCE, SEQUENTIAL
 
 _USAGE = (
     "%(prog)s --style IMAGE --guide SOURCE FRAMES [--guide ...] [--motion FRAMES] --output FRAMES "
@@ -80,7 +80,7 @@ def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
 def run(options: argparse.Namespace) -> None:
     """Find the files of all frames, and stylize them."""
     params = chosen_params(options)
-    coherence = chosen_coherence(options, SEQUENCE if options.motion else None, "--motion")
+    coherence = chosen_coherence(options, _coherence(options), "--motion")
     outputs = [
         pattern_of(text, name) if text else None
         for name, text in (("output", options.output), ("nnf", options.nnf))
@@ -108,6 +108,14 @@ def run(options: argparse.Namespace) -> None:
         [pattern.path(frame) for frame in found.frames] if pattern else [] for pattern in outputs
     )
     stylize_shot(options, files, params, coherence, pictures, fields, _ALONE)
+
+
+def _coherence(options):
+    """What is taken without options of coherence; None without motion."""
+    if not options.motion:
+        return None
+    is_fast = options.preset == "fast" and options.votes is None
+    return FAST_SEQUENCE if is_fast and options.order in (None, SEQUENTIAL) else SEQUENCE
 
 
 def _times(frames, keyframes):

@@ -11,7 +11,12 @@ from stylit_ref.errors import InputError
 from stylit_ref.stylization.methods import METHODS
 from stylit_ref.views.params import SEQUENTIAL, Coherence
 
-_SPELLED = {"weight": "--coherence", "form": "--coherence-form", "order": "--order"}
+_SPELLED = {
+    "weight": "--coherence",
+    "form": "--coherence-form",
+    "order": "--order",
+    "following_votes": "--following-iters",
+}
 _EVERYDAY = ("uniformity",)
 
 

@@ -1,8 +1,17 @@
 """Parameters of coherence."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from stylit_ref.parameters import Choice, Number, check_fields, parameter
+from stylit_ref.errors import InputError
+from stylit_ref.parameters import (
+    Choice,
+    Integer,
+    Number,
+    OneOrSeveral,
+    Optional,
+    check_fields,
+    parameter,
+)
 
 LARGEST_WEIGHT = 64
 
@@ -27,6 +36,10 @@ class Coherence:
         each frame sees what its neighbours have become in the same iteration; frames are taken in
         order and back again in turns. ``sequential``: a frame is finished before the next begins,
         and sees finished neighbours only.
+    following_votes : int or tuple of int, optional
+        In ``sequential`` order the search-vote iterations of frames at which others pull, as
+        ``votes`` of :class:`~stylit_ref.Params` tells those of the rest; None for as many. The
+        finished picture pulls from the coarsest level on, so that fewer suffice.
     """
 
     weight: float = parameter(
@@ -42,10 +55,26 @@ class Coherence:
         Choice((PARALLEL, SWEEPS, SEQUENTIAL)),
         "parallel, all frames at once; sweeps, forth and back; or sequential, one after the other",
     )
+    following_votes: int | tuple[int, ...] | None = parameter(
+        None,
+        Optional(OneOrSeveral(Integer(1, 65535))),
+        "search-vote iterations of a frame that follows another in a sequential order, told as "
+        "those of --search-vote-iters, which it takes otherwise; a sequence with --preset fast "
+        "takes 1,2,4",
+    )
 
     def __post_init__(self) -> None:
         check_fields(self)
+        if self.following_votes is not None and self.order != SEQUENTIAL:
+            raise InputError(
+                f"is of use with order {SEQUENTIAL!r} alone, and the order is {self.order!r}; "
+                "leave it out",
+                parameter="following_votes",
+            )
 
 
 SEQUENCE = Coherence(weight=1, order=SEQUENTIAL)
 """What suits a sequence; the defaults suit a grid."""
+
+FAST_SEQUENCE = replace(SEQUENCE, following_votes=(1, 2, 4))
+"""What suits one with the preset ``fast``."""

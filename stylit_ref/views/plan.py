@@ -33,21 +33,30 @@ class Plan:
     votes : sequence of int
         Search-vote iterations of every level, the coarsest first.
     order : {"parallel", "sweeps", "sequential"}
+    following_votes : sequence of int, optional
+        In ``sequential`` order those of frames at which others pull; ``votes`` by default.
 
     Attributes
     ----------
     neighbours, votes, order
         As given.
+    following_votes : sequence of int
     """
 
     neighbours: Sequence[Sequence[int]]
     votes: Sequence[int]
     order: str
+    following_votes: Sequence[int]
 
     def __init__(
-        self, neighbours: Sequence[Sequence[int]], votes: Sequence[int], order: str
+        self,
+        neighbours: Sequence[Sequence[int]],
+        votes: Sequence[int],
+        order: str,
+        following_votes: Sequence[int] | None = None,
     ) -> None:
         self.neighbours, self.votes, self.order = neighbours, votes, order
+        self.following_votes = votes if following_votes is None else following_votes
 
     @property
     def frames(self) -> range:
@@ -58,17 +67,22 @@ class Plan:
         """All tasks, each behind those that it reads."""
         if self.order == SEQUENTIAL:
             for frame in self.frames:
-                for level, vote in self._iterations():
+                for level, vote in _iterations(self.votes_of(frame)):
                     yield Task(frame, level, vote)
             return
-        for level, vote in self._iterations():
+        for level, vote in _iterations(self.votes):
             back = self.order == SWEEPS and vote > 0 and vote % 2 == 0
             for frame in self.frames[:: -1 if back else 1]:
                 yield Task(frame, level, vote)
 
+    def votes_of(self, frame: int) -> Sequence[int]:
+        """Search-vote iterations of every level of a frame, the coarsest first."""
+        follows = self.order == SEQUENTIAL and self.neighbours[frame]
+        return self.following_votes if follows else self.votes
+
     def last(self, frame: int) -> Task:
         """The task that finishes a frame."""
-        return Task(frame, len(self.votes), self.votes[-1])
+        return Task(frame, len(self.votes), self.votes_of(frame)[-1])
 
     def before(self, task: Task) -> Task | None:
         """The task whose state this one changes, or None for the first of a frame."""
@@ -76,7 +90,7 @@ class Plan:
             return task._replace(vote=task.vote - 1)
         if task.level == 1:
             return None
-        return Task(task.frame, task.level - 1, self.votes[task.level - 2])
+        return Task(task.frame, task.level - 1, self.votes_of(task.frame)[task.level - 2])
 
     def pulling(self, task: Task) -> list[Task]:
         """The tasks whose pictures pull at this one, one of each neighbour."""
@@ -130,13 +144,14 @@ class Plan:
                 waiting += self.reads(task)
         return [task for task in self.tasks() if task in found]
 
-    def _iterations(self):
-        for level, votes in enumerate(self.votes, 1):
-            for vote in range(votes + 1):
-                yield level, vote
-
     def _is_ahead(self, task, other):
         """Whether the other frame has done this iteration when the task begins."""
         if self.order == PARALLEL:
             return False
         return other < task.frame if task.vote % 2 else other > task.frame
+
+
+def _iterations(votes):
+    for level, count in enumerate(votes, 1):
+        for vote in range(count + 1):
+            yield level, vote

@@ -52,9 +52,17 @@ class Problem:
         for to, other in sorted(self.shot.pairs):
             if self.weight and not (is_sequential and other > to):
                 neighbours[to].append(other)
-        levels = int(self.params.levels)
-        votes = [self.params.votes_above(levels - level) for level in range(1, levels + 1)]
-        return Plan(neighbours, votes, self.coherence.order)
+        votes = self._votes(self.params)
+        following = self.coherence.following_votes
+        if following is None:
+            return Plan(neighbours, votes, self.coherence.order)
+        of_following = self._votes(replace(self.params, votes=following))
+        return Plan(neighbours, votes, self.coherence.order, of_following)
+
+    @staticmethod
+    def _votes(params):
+        """Search-vote iterations of every level, the coarsest first."""
+        return [params.votes_above(depth) for depth in reversed(range(int(params.levels)))]
 
 
 def make_problem(

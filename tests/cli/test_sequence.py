@@ -58,6 +58,11 @@ def written(folder, frames=(1, 2, 3)):
             Coherence(weight=0.5, form="plain", order="parallel"),
             [(0, 1), (1, 0), (1, 2), (2, 1)],
         ),
+        (
+            ("--following-iters", "2,3"),
+            Coherence(weight=1, order="sequential", following_votes=(2, 3)),
+            [(1, 0), (2, 1)],
+        ),
     ],
 )
 def test_it_writes_what_stylize_frames_yields(shot, flags, coherence, pairs):
@@ -70,6 +75,31 @@ def test_it_writes_what_stylize_frames_yields(shot, flags, coherence, pairs):
         np.testing.assert_array_equal(result.image, image)
         field = read_nnf(folder / f"nnf.{result.frame + 1:04d}.npy")
         np.testing.assert_array_equal(field.nnf, result.nnf)
+
+
+@pytest.mark.parametrize(
+    ("flags", "following"),
+    [
+        ((), (1, 2, 4)),
+        (("--search-vote-iters", "1,2,4"), None),
+        (("--order", "sweeps"), None),
+        (("--following-iters", "2"), 2),
+    ],
+)
+def test_frames_that_follow_take_less_in_the_fast_preset(shot, flags, following):
+    folder = shot[0]
+    assert sequence(
+        folder, *motion(folder), "--preset", "fast", *flags, "--run", folder / "run", quick=()
+    ) == 0  # fmt: skip
+    assert Run(folder / "run").coherence.following_votes == following
+
+
+def test_the_first_frame_is_that_of_run_in_the_fast_preset(shot):
+    folder = shot[0]
+    assert sequence(folder, *motion(folder), "--preset", "fast", quick=()) == 0
+    guides = ("source_{}.png", "target_{}.0001.png")
+    assert run(folder, "--preset", "fast", guides=guides, quick=()) == 0
+    np.testing.assert_array_equal(read_image(folder / "out.png"), written(folder)[0])
 
 
 def test_without_motion_every_frame_is_that_of_run(shot, capsys):
@@ -266,6 +296,7 @@ def test_frames_of_other_sizes_are_all_named_at_once(shot, capsys):
         (("--motion", "flow.*.flo"), "--motion flow.*.flo: has a star where the number of the"),
         (("--nnf", "nnf.npy"), "--nnf nnf.npy: names one file; write %04d"),
         (("--output", "out.%04d.nothing"), "out.0001.nothing"),
+        (("--following-iters", 1), "--following-iters is of use with --motion alone"),
         (("--coherence", 1), "--coherence is of use with --motion alone"),
         (("--ids", "ids.%04d.png"), "--ids is of use with --motion alone"),
         (("--method", "realtime"), "--method"),
@@ -274,6 +305,12 @@ def test_frames_of_other_sizes_are_all_named_at_once(shot, capsys):
 def test_options_that_cannot_be_used(shot, capsys, flags, said):
     assert said in refused(capsys, sequence(shot[0], *flags))
     assert not list(shot[0].glob("out*"))
+
+
+def test_votes_of_frames_that_follow_are_for_sequential_order(shot, capsys):
+    flags = *motion(shot[0]), "--order", "parallel", "--following-iters", 2
+    said = refused(capsys, sequence(shot[0], *flags))
+    assert "--following-iters is of use with order 'sequential' alone" in said
 
 
 def test_motion_that_is_missing_is_named(shot, capsys):

@@ -45,6 +45,24 @@ def test_in_sequential_order_finished_frames_pull():
     assert [task.frame for task in plan.tasks()] == [0] * 5 + [1] * 5 + [2] * 5
 
 
+def test_frames_that_follow_others_have_votes_of_their_own():
+    plan = Plan([[], [0], []], [3, 2], "sequential", [1, 2])
+    alone = [(1, 0), (1, 1), (1, 2), (1, 3), (2, 0), (2, 1), (2, 2)]
+    following = [(1, 0), (1, 1), (2, 0), (2, 1), (2, 2)]
+    assert list(plan.tasks()) == [
+        Task(frame, *step)
+        for frame, steps in enumerate((alone, following, alone))
+        for step in steps
+    ]
+    assert plan.before(Task(1, 2, 0)) == Task(1, 1, 1)
+    assert plan.last(0) == Task(0, 2, 2)
+
+
+def test_votes_of_their_own_are_for_sequential_order():
+    plan = Plan(LINE, [3, 2], "parallel", [1, 2])
+    assert list(plan.tasks()) == list(Plan(LINE, [3, 2], "parallel").tasks())
+
+
 def test_only_what_leads_to_a_missing_frame_is_done():
     plan = Plan(LINE, [2, 1], "parallel")
     everything = list(plan.tasks())

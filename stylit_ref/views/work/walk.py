@@ -165,7 +165,7 @@ class Walk:
             level=task.level,
             levels=len(self.plan.votes),
             vote=task.vote,
-            votes=self.plan.votes[task.level - 1],
+            votes=self.plan.votes_of(task.frame)[task.level - 1],
             done=done,
         )
 

@@ -15,26 +15,39 @@ def neighbours_of(edges, frames, p):
     return pulling
 
 
-def tasks_of(frames, votes, order):
-    """List all tasks (frame, level, k) in their order."""
-    steps = [(level, k) for level, last in enumerate(votes, 1) for k in range(last + 1)]
+def votes_of(frame, neighbours, p, votes, following_votes):
+    """Choose the votes of a frame, for each level."""
+    follows = p["order"] == "sequential" and len(neighbours[frame]) > 0
+    return following_votes if follows else votes
+
+
+def steps_of(votes):
+    """List all (level, k)."""
+    return [(level, k) for level, last in enumerate(votes, 1) for k in range(last + 1)]
+
+
+def tasks_of(frame_votes, order):
+    """List all tasks (frame, level, k) in their order; of each frame the votes are given."""
+    frames = len(frame_votes)
     if order == "sequential":
-        return [(frame, *step) for frame in range(frames) for step in steps]
+        return [
+            (frame, *step) for frame, votes in enumerate(frame_votes) for step in steps_of(votes)
+        ]
     tasks = []
-    for level, k in steps:
+    for level, k in steps_of(frame_votes[0]):
         falling = order == "sweeps" and k > 0 and k % 2 == 0
         numbers = reversed(range(frames)) if falling else range(frames)
         tasks += [(frame, level, k) for frame in numbers]
     return tasks
 
 
-def pulls_of(task, neighbours, votes, order):
+def pulls_of(task, neighbours, frame_votes, order):
     """List the tasks whose pictures a task reads."""
     frame, level, k = task
     if k == 0:
         return []
     if order == "sequential":
-        return [(other, len(votes), votes[-1]) for other in neighbours]
+        return [(other, len(frame_votes[other]), frame_votes[other][-1]) for other in neighbours]
     found = []
     for other in neighbours:
         comes_first = other < frame if k % 2 else other > frame
@@ -45,11 +58,16 @@ def pulls_of(task, neighbours, votes, order):
 
 def stage_plan(p, a):
     """Do stage plan."""
-    tasks = tasks_of(len(p["neighbours"]), p["votes"], p["order"])
+    neighbours, votes = p["neighbours"], p["votes"]
+    following = p.get("following_votes", votes)
+    frame_votes = [
+        votes_of(frame, neighbours, p, votes, following) for frame in range(len(neighbours))
+    ]
+    tasks = tasks_of(frame_votes, p["order"])
     pulls = [
         (task, other)
         for task in tasks
-        for other in pulls_of(task, p["neighbours"][task[0]], p["votes"], p["order"])
+        for other in pulls_of(task, neighbours[task[0]], frame_votes, p["order"])
     ]
     return {"tasks": np.array(tasks), "pulls": np.array(pulls).reshape(-1, 2, 3)}
 

@@ -14,7 +14,7 @@ from naive_port.spec_15_stylit import stylit_of, stylit_search
 from .spec_01_names import Motion, in_units, places_of
 from .spec_02_shift import shifted
 from .spec_07_folding import coherent_weights, folded
-from .spec_08_order import neighbours_of, pulls_of, tasks_of
+from .spec_08_order import neighbours_of, pulls_of, tasks_of, votes_of
 
 
 class Source:
@@ -116,24 +116,28 @@ def run(p, a):
     frames = sum(name.startswith("target_guides_") for name in a)
     source = Source(p, a, a["target_guides_0"].shape[:2])
     guides = [source.pyramid(a[f"target_guides_{frame}"]) for frame in range(frames)]
-    votes, edges = [p["votes"]] * source.levels, edges_of(a)
+    edges = edges_of(a)
     neighbours = neighbours_of(edges, frames, p)
+    votes = [p["votes"]] * source.levels
+    following = [p.get("following_votes", p["votes"])] * source.levels
+    frame_votes = [votes_of(frame, neighbours, p, votes, following) for frame in range(frames)]
     states = {}
-    for task in tasks_of(frames, votes, p["order"]):
+    for task in tasks_of(frame_votes, p["order"]):
         frame, level, k = task
         here = guides[frame][level - 1]
         size = here.shape[:2]
         if k == 0:
-            before = states[frame, level - 1, votes[level - 2]][0] if level > 1 else None
+            last = frame_votes[frame][level - 2]
+            before = states[frame, level - 1, last][0] if level > 1 else None
             nnf = source.begin(size, before, level)
             states[task] = nnf, source.vote(nnf, level)
             continue
         pulling = [
             (halved(states[other][1], size), edges[frame, other[0]])
-            for other in pulls_of(task, neighbours[frame], votes, p["order"])
+            for other in pulls_of(task, neighbours[frame], frame_votes, p["order"])
         ]
         states[task] = source.advance(here, *states[frame, level, k - 1], pulling, level, k)
-    return [states[frame, source.levels, votes[-1]] for frame in range(frames)]
+    return [states[frame, source.levels, frame_votes[frame][-1]] for frame in range(frames)]
 
 
 def stage_iteration(p, a):
