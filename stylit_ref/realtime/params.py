@@ -116,7 +116,7 @@ class RealtimeParams:
         "weight of the style in sixteenths at the finest level, in warm frames",
     )
     warm_radius: int = parameter(
-        16, Integer(0, EVERYWHERE), "largest search radius at the finest level, in warm frames"
+        8, Integer(0, EVERYWHERE), "largest search radius at the finest level, in warm frames"
     )
     dense_finish: bool = parameter(False, Flag(), "end with a match for every pixel; slower")
     labels: bool = parameter(True, Flag(), "match only pixels of the same label")
