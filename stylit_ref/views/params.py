@@ -59,8 +59,8 @@ class Coherence:
         None,
         Optional(OneOrSeveral(Integer(1, 65535))),
         "search-vote iterations of a frame that follows another in a sequential order, told as "
-        "those of --search-vote-iters, which it takes otherwise; a sequence with --preset fast "
-        "takes 1,2,4",
+        "those of --search-vote-iters; none for as many as those. A sequence with --preset fast "
+        "takes 1,2,4 where neither is given",
     )
 
     def __post_init__(self) -> None:

@@ -47,6 +47,7 @@ def kernels_of_frames(
     still = Motion(np.zeros((side, side, 2), np.float32), np.ones((side, side), np.bool_))
     shot = ArrayShot([black, black], dict.fromkeys(sequence_pairs(2), still))
     short = replace(params, levels=2, votes=1, patchmatch_iterations=1, uniformity=0)
+    coherence = replace(coherence, following_votes=None)
     with rehearsal() as rehearsed:
         problem = make_problem(style, black, shot, short, coherence)
         bench, plan, states = Workbench(problem, rehearsing_backend()), problem.plan(), {}

@@ -94,6 +94,14 @@ def test_frames_that_follow_take_less_in_the_fast_preset(shot, flags, following)
     assert Run(folder / "run").coherence.following_votes == following
 
 
+def test_frames_that_nothing_pulls_at_are_those_of_run_in_the_fast_preset(shot):
+    folder = shot[0]
+    assert sequence(folder, *motion(folder), "--preset", "fast", "--coherence", 0, quick=()) == 0
+    guides = ("source_{}.png", "target_{}.0003.png")
+    assert run(folder, "--preset", "fast", guides=guides, quick=()) == 0
+    np.testing.assert_array_equal(read_image(folder / "out.png"), written(folder)[2])
+
+
 def test_the_first_frame_is_that_of_run_in_the_fast_preset(shot):
     folder = shot[0]
     assert sequence(folder, *motion(folder), "--preset", "fast", quick=()) == 0

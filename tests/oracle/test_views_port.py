@@ -244,6 +244,17 @@ MISTAKES = {
     ),
     "sweeps that always rise": ('order == "sweeps" and k > 0 and k % 2 == 0', "False", "plan"),
     "the first states in a falling sweep": ("and k > 0 and k % 2 == 0", "and k % 2 == 0", "plan"),
+    "votes that are the same in frames that follow": (
+        "return following_votes if follows else votes",
+        "return votes",
+        "plan",
+    ),
+    "frames that follow though nothing pulls": ("len(neighbours[frame]) > 0", "frame > 0", "plan"),
+    "the last state of a neighbour by one's own votes": (
+        "frame_votes[other][-1]",
+        "frame_votes[task[0]][-1]",
+        "plan",
+    ),
     "sweeps that see the iteration before": ("k if is_ahead else k - 1", "k - 1", "plan"),
     "a spread that StyLit does not see": (
         'with_spread = p["method"] == "stylit" and len(shifts) > 0',

@@ -86,6 +86,24 @@ def test_its_facts_follow_the_schema(made):
     jsonschema.validate(made[0].facts, json.loads(SCHEMA.read_text()))
 
 
+@pytest.mark.parametrize("votes", [None, 2, (1, 2)])
+def test_votes_of_frames_that_follow_come_back(made, tmp_path, votes):
+    facts = json.loads(json.dumps(made[0].facts))
+    facts["coherence"] |= {"order": "sequential", "following_votes": votes}
+    (tmp_path / "run.json").write_text(json.dumps(facts))
+    written_facts = json.loads((tmp_path / "run.json").read_text())
+    jsonschema.validate(written_facts, json.loads(SCHEMA.read_text()))
+    assert Run(tmp_path).coherence.following_votes == votes
+
+
+def test_a_run_of_an_earlier_program_tells_no_votes_of_frames_that_follow(made, tmp_path):
+    facts = json.loads(json.dumps(made[0].facts))
+    del facts["coherence"]["following_votes"]
+    (tmp_path / "run.json").write_text(json.dumps(facts))
+    jsonschema.validate(facts, json.loads(SCHEMA.read_text()))
+    assert Run(tmp_path).coherence.following_votes is None
+
+
 def test_motion_is_read_when_its_frame_is_added(tmp_path):
     scene, read = sliding(frames=2), []
 

@@ -19,7 +19,7 @@ def keys_of(problem: Problem, plan: Plan) -> Mapping[Task, str]:
     """The keys of all tasks of a plan.
 
     A key covers the code, the style with its guides, the parameters and the seed; the guides of the
-    frame; and, of every picture that pulls, its key, its weight and the motion. Whatever changes,
+    frame, and how many iterations it takes; and, of every picture that pulls, its key, its weight and the motion. Whatever changes,
     the states that do not depend on it keep their keys.
 
     Parameters
@@ -39,7 +39,10 @@ def keys_of(problem: Problem, plan: Plan) -> Mapping[Task, str]:
         arrays_digest(problem.style, *problem.source_guides),
         repr((problem.params, problem.seed)),
     )
-    guides = [_digest(*common, shot.guides_digest(frame)) for frame in plan.frames]
+    guides = [
+        _digest(*common, repr(list(plan.votes_of(frame))), shot.guides_digest(frame))
+        for frame in plan.frames
+    ]
     motion = {
         (to, other): _digest(
             shot.motion_digest(to, other), repr((coherence.weight, coherence.form))

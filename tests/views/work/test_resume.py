@@ -153,6 +153,22 @@ def test_a_state_that_is_lost_as_the_run_goes_on_is_made_again(tmp_path, expecte
     assert lost
 
 
+def test_other_votes_of_frames_that_follow_leave_finished_ones_to_go_back_to(tmp_path):
+    def results(following_votes):
+        run = Run("sequential")
+        run.coherence = Coherence(order="sequential", following_votes=following_votes)
+        return run.results(tmp_path)
+
+    first, _ = results((1, 2))
+    others, steps = results((2, 2))
+    assert others != first
+    assert {step.frame for step in steps} == {1, 2, 3}
+    assert {step.votes for step in steps if step.level == step.levels} == {2}
+    again, steps = results((1, 2))
+    assert again == first
+    assert not steps
+
+
 def change_nothing(run):
     pass
 
