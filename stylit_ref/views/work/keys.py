@@ -19,8 +19,8 @@ def keys_of(problem: Problem, plan: Plan) -> Mapping[Task, str]:
     """The keys of all tasks of a plan.
 
     A key covers the code, the style with its guides, the parameters and the seed; the guides of the
-    frame, and how many iterations it takes; and, of every picture that pulls, its key, its weight and the motion. Whatever changes,
-    the states that do not depend on it keep their keys.
+    frame, and how many iterations it takes; and, of every picture that pulls, its key, its weight
+    and the motion. Whatever changes, the states that do not depend on it keep their keys.
 
     Parameters
     ----------
