@@ -114,8 +114,9 @@ def _coherence(options):
     """What is taken without options of coherence; None without motion."""
     if not options.motion:
         return None
+    follows = options.order in (None, SEQUENTIAL) and options.weight != 0
     is_fast = options.preset == "fast" and options.votes is None
-    return FAST_SEQUENCE if is_fast and options.order in (None, SEQUENTIAL) else SEQUENCE
+    return FAST_SEQUENCE if follows and is_fast else SEQUENCE
 
 
 def _times(frames, keyframes):

@@ -59,16 +59,24 @@ class Coherence:
         None,
         Optional(OneOrSeveral(Integer(1, 65535))),
         "search-vote iterations of a frame that follows another in a sequential order, told as "
-        "those of --search-vote-iters; none for as many as those. A sequence with --preset fast "
-        "takes 1,2,4 where neither is given",
+        "those of --search-vote-iters. Without it as many as those; 'stylit-ref sequence --preset "
+        "fast' takes 1,2,4, unless --search-vote-iters is given",
     )
 
     def __post_init__(self) -> None:
         check_fields(self)
-        if self.following_votes is not None and self.order != SEQUENTIAL:
+        if self.following_votes is None:
+            return
+        if self.order != SEQUENTIAL:
             raise InputError(
                 f"is of use with order {SEQUENTIAL!r} alone, and the order is {self.order!r}; "
                 "leave it out",
+                parameter="following_votes",
+            )
+        if not self.weight:
+            raise InputError(
+                "is of use with a coherence above 0 alone, since no frame follows another without "
+                "it; leave it out",
                 parameter="following_votes",
             )
 

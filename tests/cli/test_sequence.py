@@ -83,6 +83,7 @@ def test_it_writes_what_stylize_frames_yields(shot, flags, coherence, pairs):
         ((), (1, 2, 4)),
         (("--search-vote-iters", "1,2,4"), None),
         (("--order", "sweeps"), None),
+        (("--coherence", 0), None),
         (("--following-iters", "2"), 2),
     ],
 )
@@ -315,10 +316,17 @@ def test_options_that_cannot_be_used(shot, capsys, flags, said):
     assert not list(shot[0].glob("out*"))
 
 
-def test_votes_of_frames_that_follow_are_for_sequential_order(shot, capsys):
-    flags = *motion(shot[0]), "--order", "parallel", "--following-iters", 2
-    said = refused(capsys, sequence(shot[0], *flags))
-    assert "--following-iters is of use with order 'sequential' alone" in said
+@pytest.mark.parametrize(
+    ("flags", "said"),
+    [
+        (("--order", "parallel"), "with order 'sequential' alone"),
+        (("--coherence", 0), "with a coherence above 0 alone"),
+    ],
+)
+def test_votes_of_frames_that_follow_need_such_frames(shot, capsys, flags, said):
+    flags = *motion(shot[0]), *flags, "--following-iters", 2
+    message = refused(capsys, sequence(shot[0], *flags))
+    assert f"--following-iters is of use {said}" in message
 
 
 def test_motion_that_is_missing_is_named(shot, capsys):
