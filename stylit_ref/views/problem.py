@@ -52,17 +52,10 @@ class Problem:
         for to, other in sorted(self.shot.pairs):
             if self.weight and not (is_sequential and other > to):
                 neighbours[to].append(other)
-        votes = self._votes(self.params)
         following = self.coherence.following_votes
-        if following is None:
-            return Plan(neighbours, votes, self.coherence.order)
-        of_following = self._votes(replace(self.params, votes=following))
-        return Plan(neighbours, votes, self.coherence.order, of_following)
-
-    @staticmethod
-    def _votes(params):
-        """Search-vote iterations of every level, the coarsest first."""
-        return [params.votes_above(depth) for depth in reversed(range(int(params.levels)))]
+        of_following = self.params if following is None else replace(self.params, votes=following)
+        votes, following_votes = map(_votes_of_levels, (self.params, of_following))
+        return Plan(neighbours, votes, self.coherence.order, following_votes)
 
 
 def make_problem(
@@ -110,3 +103,8 @@ def make_problem(
     if params.levels == ALL:
         params = replace(params, levels=most_levels(params.patch_width, *sizes))
     return Problem(style, tuple(sources), shot, params, coherence, seed)
+
+
+def _votes_of_levels(params):
+    """Search-vote iterations of every level, the coarsest first."""
+    return [params.votes_above(depth) for depth in reversed(range(int(params.levels)))]

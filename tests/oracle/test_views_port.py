@@ -245,8 +245,8 @@ MISTAKES = {
     "sweeps that always rise": ('order == "sweeps" and k > 0 and k % 2 == 0', "False", "plan"),
     "the first states in a falling sweep": ("and k > 0 and k % 2 == 0", "and k % 2 == 0", "plan"),
     "votes that are the same in frames that follow": (
-        "return following_votes if follows else votes",
-        "return votes",
+        "following_votes if follows else votes",
+        "votes",
         "plan",
     ),
     "frames that follow though nothing pulls": ("len(neighbours[frame]) > 0", "frame > 0", "plan"),

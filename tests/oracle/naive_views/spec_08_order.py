@@ -15,10 +15,13 @@ def neighbours_of(edges, frames, p):
     return pulling
 
 
-def votes_of(frame, neighbours, p, votes, following_votes):
-    """Choose the votes of a frame, for each level."""
-    follows = p["order"] == "sequential" and len(neighbours[frame]) > 0
-    return following_votes if follows else votes
+def frame_votes_of(neighbours, p, votes, following_votes):
+    """List the votes of each frame, for each level."""
+    found = []
+    for frame in range(len(neighbours)):
+        follows = p["order"] == "sequential" and len(neighbours[frame]) > 0
+        found.append(following_votes if follows else votes)
+    return found
 
 
 def steps_of(votes):
@@ -59,10 +62,7 @@ def pulls_of(task, neighbours, frame_votes, order):
 def stage_plan(p, a):
     """Do stage plan."""
     neighbours, votes = p["neighbours"], p["votes"]
-    following = p.get("following_votes", votes)
-    frame_votes = [
-        votes_of(frame, neighbours, p, votes, following) for frame in range(len(neighbours))
-    ]
+    frame_votes = frame_votes_of(neighbours, p, votes, p.get("following_votes", votes))
     tasks = tasks_of(frame_votes, p["order"])
     pulls = [
         (task, other)

@@ -14,7 +14,7 @@ from naive_port.spec_15_stylit import stylit_of, stylit_search
 from .spec_01_names import Motion, in_units, places_of
 from .spec_02_shift import shifted
 from .spec_07_folding import coherent_weights, folded
-from .spec_08_order import neighbours_of, pulls_of, tasks_of, votes_of
+from .spec_08_order import frame_votes_of, neighbours_of, pulls_of, tasks_of
 
 
 class Source:
@@ -120,7 +120,7 @@ def run(p, a):
     neighbours = neighbours_of(edges, frames, p)
     votes = [p["votes"]] * source.levels
     following = [p.get("following_votes", p["votes"])] * source.levels
-    frame_votes = [votes_of(frame, neighbours, p, votes, following) for frame in range(frames)]
+    frame_votes = frame_votes_of(neighbours, p, votes, following)
     states = {}
     for task in tasks_of(frame_votes, p["order"]):
         frame, level, k = task
