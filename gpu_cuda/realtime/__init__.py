@@ -8,6 +8,7 @@ import gpu_cuda.host.redirection  # noqa: F401
 from gpu_cuda.realtime.blend import make_blend
 from gpu_cuda.realtime.dense_finish import make_dense_nnf, make_vote
 from gpu_cuda.realtime.labels import decimate_labels, free_lost_labels, mark_labels
+from gpu_cuda.realtime.moving import mark_moving
 from gpu_cuda.realtime.pixels import make_extend, make_fill, make_insert_style
 from gpu_cuda.realtime.pyramid import make_halve
 from gpu_cuda.realtime.records import make_box_records, make_mip_records
@@ -30,6 +31,7 @@ __all__ = [
     "make_search",
     "make_vote",
     "mark_labels",
+    "mark_moving",
     "random_nnf",
     "upsample_nnf",
     "upsample_picture",

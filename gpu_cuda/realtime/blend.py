@@ -6,6 +6,7 @@ from gpu_cuda.host.argument_types import INT, MAP
 from gpu_cuda.host.device import device_function
 from gpu_cuda.realtime.formulae import column_of, mean_of_four, row_of
 from gpu_cuda.realtime.image import IMAGE, address, launch_whole, nearest
+from gpu_cuda.realtime.moving import MOVING
 from stylit_ref.machine.vector_patch import STYLE_LANES
 
 
@@ -31,7 +32,7 @@ def shown(nnf, style, a, b, step, row, column):
 
 
 @cuda.jit
-def blend_kernel(nnf, style, out, radius, step, channels):
+def blend_kernel(nnf, style, out, moving, radius, step, channels):
     x, y = cuda.grid(2)
     if x >= out.stride or y >= out.height + 2 * out.border:
         return
@@ -39,6 +40,8 @@ def blend_kernel(nnf, style, out, radius, step, channels):
     rows, columns = nnf.shape
     a, b = first_covering(row, step, radius, rows), first_covering(column, step, radius, columns)
     a2, b2 = last_covering(row, step, radius, rows), last_covering(column, step, radius, columns)
+    if moving.size and not (moving[a, b] or moving[a, b2] or moving[a2, b] or moving[a2, b2]):
+        return
     one = shown(nnf, style, a, b, step, row, column)
     two = shown(nnf, style, a, b2, step, row, column)
     three = shown(nnf, style, a2, b, step, row, column)
@@ -53,13 +56,13 @@ def blend_kernel(nnf, style, out, radius, step, channels):
 
 def kernels(sizes):
     """Every kernel's name, the kernel and the types of its arguments."""
-    yield "realtime: blend", blend_kernel, (MAP, IMAGE, IMAGE, INT, INT, INT)
+    yield "realtime: blend", blend_kernel, (MAP, IMAGE, IMAGE, MOVING, INT, INT, INT)
 
 
 def make_blend(width, step, channels):
     """As :func:`stylit_ref.realtime.passes.make_blend`."""
 
-    def blend(nnf, style, out):
-        launch_whole(blend_kernel, out, nnf, style, out, width // 2, step, channels)
+    def blend(nnf, style, out, moving):
+        launch_whole(blend_kernel, out, nnf, style, out, moving, width // 2, step, channels)
 
     return blend

@@ -19,10 +19,11 @@ from gpu_cuda.realtime.formulae import (
 )
 from gpu_cuda.realtime.image import BYTES, IMAGE
 from gpu_cuda.realtime.labels import ENTRIES, LABELS
+from gpu_cuda.realtime.moving import MOVING
 from stylit_ref.machine.vector_patch import STYLE_LANES
 from stylit_ref.realtime.passes.search import DOWN, FREE, RIGHT, WORST, Grid
 
-GRID = types.NamedTuple((INT, INT, INT, ENTRIES, LABELS), Grid)
+GRID = types.NamedTuple((INT, INT, INT, ENTRIES, LABELS, MOVING), Grid)
 WEIGHTS = types.int16[::1]
 
 
@@ -68,6 +69,8 @@ def make_kernel(rows, pixels, lanes):
         height, width = nnf.shape
         b = ((a + parity) & 1) + 2 * k
         if a >= height or b >= width or stop[0]:
+            return
+        if grid.moving.size and not grid.moving[a, b]:
             return
         step, labels, source_labels = grid.step, grid.labels, grid.source_labels
         first_y = first_centre(source.height, grid.margin)

@@ -134,11 +134,12 @@ TURNED = {"source": (20, 30), "target": (24, 30), "levels": 4, "warm_radius": 1}
 WARM = {
     **{name: FRAMES[name] for name in ("best", "quick", "optimized", "bilinear", "labels")},
     "one_level": FRAMES["one_level"],
-    **{f"turned_{n}": TURNED | {"iterations": (0, n)} for n in (2, 3)},
+    **{f"turned_{n}": TURNED | {"iterations": (1, n), "warm_iterations": 0} for n in (2, 3)},
     "not_renewed": {"renewal_level": 0},
     "unread_guides": {"mu": (16,)},
     "held_back": {"warm_mu": 9, "warm_radius": 2, "iterations": (2, 3)},
     "style_alone": {"warm_mu": 16, "warm_radius": 0},
+    **{f"settled_{n}": TURNED | {"warm_iterations": n} for n in (1, 2, 5)},
 }
 """How each warm frame differs from that of ``best``. The target moves a little, or turns around."""
 
@@ -183,14 +184,17 @@ def _inputs():
     for number, (name, differences) in enumerate(RENEWALS.items()):
         yield "renew", name, *_renewal(900 + number, **differences)
     for number, (name, differences) in enumerate(WARM.items()):
-        usual = {"renewal_level": 2, "warm_mu": 2, "warm_radius": 16}
+        usual = {
+            "renewal_level": 2, "warm_mu": 4, "warm_radius": 8, "warm_iterations": 3,
+        }  # fmt: skip
         parameters, arrays = _frame(300 + number, **usual | differences)
-        if name.startswith("turned"):  # two halves, which change places
+        turns = name.startswith(("turned", "settled"))
+        if turns:  # two halves, which change places
             for side in ("source_guides", "target_guides"):
                 arrays[side] = arrays[side] % 9
                 arrays[side][:, : arrays[side].shape[1] // 2] += 200
         before = answer("frame", parameters, arrays)
-        if name.startswith("turned"):
+        if turns:
             arrays["target_guides"] = arrays["target_guides"][:, ::-1]
         sides = [name for name in arrays if name.startswith("target")]
         arrays |= {side: np.roll(arrays[side], 1, axis=1) for side in sides}

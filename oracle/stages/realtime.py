@@ -19,6 +19,7 @@ from stylit_ref.realtime.formulae.packed_nnf import entries_of, places_of
 from stylit_ref.realtime.layout import Layout
 from stylit_ref.realtime.packing import PrincipalPacking, StagePacking, UnpackedStage, pack
 from stylit_ref.realtime.passes.image import Image, interior, make_image, whole
+from stylit_ref.realtime.passes.moving import ALL
 from stylit_ref.realtime.target import Target
 
 
@@ -153,7 +154,8 @@ def _blend(passes, parameters, arrays):
     height, width = parameters["height"], parameters["width"]
     picture = np.empty((height, width, 3), np.uint8)
     blend = passes.make_blend(params.patch_width, params.step, 3)
-    blend(entries_of(arrays["nnf"]), style, Image(picture.reshape(-1), width, 0, height, width))
+    out = Image(picture.reshape(-1), width, 0, height, width)
+    blend(entries_of(arrays["nnf"]), style, out, ALL)
     return {"picture": picture}
 
 

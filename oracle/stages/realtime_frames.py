@@ -79,7 +79,7 @@ _RENEWAL = *LEVEL, *LABELS, "make_renew"
 STAGES = {
     "frame": Stage(_frame, _PASSES),
     "renew": Stage(_renew, _RENEWAL),
-    "warm_frame": Stage(_warm_frame, (*_PASSES, "make_renew")),
+    "warm_frame": Stage(_warm_frame, (*_PASSES, "make_renew", "mark_moving")),
     "stroke": Stage(_stroke, _PASSES),
     "finish": Stage(_finish, _PASSES),
 }

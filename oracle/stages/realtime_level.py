@@ -21,7 +21,7 @@ LABELS = "decimate_labels", "free_lost_labels"
 SHAPING = (
     "patch_width", "spacing", "levels", "mu", "terms", "iterations", "radii", "start",
     "scale_space", "depth", "means", "renewal_level",
-    "warm_mu", "warm_radius",
+    "warm_mu", "warm_radius", "warm_iterations",
 )  # fmt: skip
 """The parameters of a case that are those of the library."""
 

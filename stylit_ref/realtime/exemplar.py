@@ -5,10 +5,18 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from stylit_ref.machine.replaced import Passes
 from stylit_ref.machine.vector_patch import STYLE_LANES
 from stylit_ref.realtime.formulae.grid import first_centre, last_centre
 from stylit_ref.realtime.layout import Layout
 from stylit_ref.realtime.passes.image import Image, make_image
+
+
+def labels_in(labels: NDArray[np.uint8], passes: Passes) -> NDArray[np.bool_]:
+    """Which labels (height, width) pixels have, (256,)."""
+    there = np.zeros(256, np.bool_)
+    passes.mark_labels(labels, there)
+    return there
 
 
 class Exemplar:
@@ -34,8 +42,8 @@ class Exemplar:
         By level; arrays of no pixels if there are none.
     has_label : list of (256,) bool
         By level, which labels a centre has.
-    own_labels : (height, width) uint8 or None
-        Those that were given.
+    own_labels : (256,) bool or None
+        Which labels there are at all; None if none were given.
     """
 
     layout: Layout
@@ -60,7 +68,7 @@ class Exemplar:
             ]
         self.labels = [np.zeros((0, 0), np.uint8)] * layout.params.levels
         self.has_label: list[NDArray[np.bool_]] = []
-        self.own_labels: NDArray[np.uint8] | None = None
+        self.own_labels: NDArray[np.bool_] | None = None
 
     def set_guides(self, guides: NDArray[np.uint8]) -> None:
         """A, (height, width, channels)."""
@@ -100,7 +108,8 @@ class Exemplar:
 
     def set_labels(self, labels: NDArray[np.uint8] | None) -> None:
         """(height, width), or None."""
-        self.labels, self.has_label, self.own_labels = [], [], labels
+        self.labels, self.has_label = [], []
+        self.own_labels = None if labels is None else labels_in(labels, self.layout.passes)
         for level in range(self.layout.params.levels):
             step = 1 << level
             if labels is None:

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from stylit_ref.machine.vector_patch import STYLE_LANES
 from stylit_ref.realtime.exemplar import Exemplar
 from stylit_ref.realtime.passes.image import Image
+from stylit_ref.realtime.passes.moving import ALL
 from stylit_ref.realtime.refinement import Refinement
 from stylit_ref.realtime.target import Target
 
@@ -39,7 +40,7 @@ class FrameInputs(NamedTuple):
         picture = np.empty((height, width, 3), np.uint8)
         out = Image(picture.reshape(-1), width, 0, height, width)
         blend = layout.passes.make_blend(params.patch_width, params.step, 3)
-        blend(nnf, self.exemplar.style[level], out)
+        blend(nnf, self.exemplar.style[level], out, ALL)
         return picture
 
     def dense_nnf(
@@ -52,7 +53,7 @@ class FrameInputs(NamedTuple):
         exemplar, target = self.exemplar, self.target
         passes, params = exemplar.layout.passes, exemplar.layout.params
         passes.make_blend(params.patch_width, params.step, STYLE_LANES)(
-            nnf, exemplar.style[0], target.picture[0]
+            nnf, exemplar.style[0], target.picture[0], ALL
         )
         guides, picture, _ = target.read_at(0, exemplar.layout)
         labels = np.zeros((0, 0), np.uint8) if self.labels is None else self.labels

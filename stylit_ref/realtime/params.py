@@ -67,6 +67,9 @@ class RealtimeParams:
         A search by style alone would hold on to matches that have grown old.
     warm_radius : int
         The largest radius of the random search at level 0 of a warm frame.
+    warm_iterations : int
+        Iterations at level 0 of a warm frame. After the first, only entries are searched whose
+        match moved in the one before, or that of a neighbour: what was renewed settles.
     dense_finish : bool
         Give every pixel the best match of the entries around it at the end, and average all patches
         over it: less energy, but slower. Not with ``scale_space``.
@@ -111,13 +114,17 @@ class RealtimeParams:
         "for none",
     )  # fmt: skip
     warm_mu: int = parameter(
-        2,
+        4,
         Integer(0, MU_ONE),
         "weight of the style in sixteenths at the finest level, in warm frames",
     )
     warm_radius: int = parameter(
         8, Integer(0, EVERYWHERE), "largest search radius at the finest level, in warm frames"
     )
+    warm_iterations: int = parameter(
+        4, Integer(0, 1000),
+        "iterations at the finest level, in warm frames; after the first, only where matches move",
+    )  # fmt: skip
     dense_finish: bool = parameter(False, Flag(), "end with a match for every pixel; slower")
     labels: bool = parameter(True, Flag(), "match only pixels of the same label")
     packing: str = parameter(
@@ -186,7 +193,7 @@ class RealtimeParams:
         return replace(
             self,
             mu=tuple(mu if self.scale_space else [self.warm_mu, *mu[1:]]),
-            iterations=(iterations[0], *((count + 1) // 2 for count in iterations[1:])),
+            iterations=(self.warm_iterations, *((count + 1) // 2 for count in iterations[1:])),
             radii=(self.warm_radius, *radii[1:]),
         )
 
@@ -218,6 +225,7 @@ REALTIME_PRESETS: dict[str, dict[str, Any]] = {
     "best": {},
     "quick": {
         "mu": (16, 4, 4, 4, 0), "iterations": (1, 3, 4, 8), "radii": (0, 4, 16, EVERYWHERE),
+        "warm_mu": 2, "warm_iterations": 1,
     },
     "simple": _THESIS,
     "optimized": {**_THESIS, "scale_space": True},

@@ -12,6 +12,7 @@ from stylit_ref.randomness.random_stream import REALTIME_NNF, REALTIME_SEARCH, r
 from stylit_ref.realtime.exemplar import Exemplar
 from stylit_ref.realtime.formulae.feature_distance import check_sum, lane_weights
 from stylit_ref.realtime.layout import Layout
+from stylit_ref.realtime.passes.moving import ALL
 from stylit_ref.realtime.passes.search import Grid
 from stylit_ref.realtime.target import Target
 
@@ -127,12 +128,16 @@ def refine(
     level: int,
     seed: int,
     stop: NDArray[np.uint8],
+    *,
+    settles: bool = False,
 ) -> None:
     """Do a level's iterations: search both halves, then blend, if a later search reads B'.
 
-    ``nnf`` ends with this level where B' begins with a vote in any case.
+    ``nnf`` ends with this level where B' begins with a vote in any case. If the level ``settles``,
+    iterations after the first search entries alone whose match moved in the one before, and those
+    around them.
     """
-    for _ in refining(exemplar, target, refinement, nnf, level, seed, stop):
+    for _ in refining(exemplar, target, refinement, nnf, level, seed, stop, settles=settles):
         pass
 
 
@@ -144,6 +149,8 @@ def refining(
     level: int,
     seed: int,
     stop: NDArray[np.uint8],
+    *,
+    settles: bool = False,
 ) -> Iterator[Operation]:
     """What :func:`refine` does, an operation at a time.
 
@@ -165,13 +172,14 @@ def refining(
     if reads_style:
         yield Operation("blend", level, 0)
     if reads_style and (params.start == "vote" or level + 1 == len(nnf)):
-        blend(nnf[level], style, target.picture[level])
+        blend(nnf[level], style, target.picture[level], ALL)
     elif reads_style:
-        blend(nnf[level + 1], exemplar.style[level + 1], target.picture[level + 1])
+        blend(nnf[level + 1], exemplar.style[level + 1], target.picture[level + 1], ALL)
         passes.upsample_picture(target.picture[level + 1], target.picture[level])
     for iteration in range(iterations):
         if reads_style:
             target.picture_changed(level)
+        before = nnf[level].copy() if settles and iteration + 1 < iterations else None
         for parity in range(2):
             yield Operation("half", level, iteration)
             stream = random_stream(seed, REALTIME_SEARCH, level, iteration, parity)
@@ -181,9 +189,13 @@ def refining(
             )  # fmt: skip
         if stop[0]:
             return
+        if before is not None:
+            moving = np.empty(target.grids[level], np.uint8)
+            passes.mark_moving(before, nnf[level], moving)
+            grid = grid._replace(moving=moving)
         if reads_style and iteration + 1 < iterations:
             yield Operation("blend", level, iteration + 1)
-            blend(nnf[level], style, target.picture[level])
+            blend(nnf[level], style, target.picture[level], grid.moving)
 
 
 def renew(

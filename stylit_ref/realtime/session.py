@@ -22,7 +22,7 @@ from stylit_ref.realtime.checks import (
     check_style,
     check_weights,
 )
-from stylit_ref.realtime.exemplar import Exemplar
+from stylit_ref.realtime.exemplar import Exemplar, labels_in
 from stylit_ref.realtime.formulae.grid import first_centre, last_centre
 from stylit_ref.realtime.formulae.packed_nnf import entries_of, places_of
 from stylit_ref.realtime.frame_inputs import FrameInputs
@@ -130,7 +130,8 @@ class Session:
                     guides.shape[2], self._target.layout.channels, "source_guides",
                     remedy="pack both alike, or begin a new Session for other channels",
                 )  # fmt: skip
-                self._check_known(labels, self._labels, "source_labels")
+                known = None if labels is None else labels_in(labels, self._passes)
+                self._check_known(known, self._labels, "source_labels")
             layout = Layout(self.params, guides.shape[2], self._passes)
             refinements = Refinements.of(layout, self._weights_for(layout.channels))
             # There is none if an interruption comes before the last line: never half of one.
@@ -303,7 +304,9 @@ class Session:
                         if last:
                             renew(exemplar, target, refinement, nnf, last)
                         # Coarser levels may be those of another target.
-                        refine(exemplar, target, refinement, nnf[:1], 0, seed, self._stop)
+                        refine(
+                            exemplar, target, refinement, nnf[:1], 0, seed, self._stop, settles=True
+                        )
                     self._heed_cancel()
                 inputs, stop = self.inputs, self._stop
                 dense = inputs.dense_nnf(nnf[0], stop) if self.params.dense_finish else None
@@ -462,18 +465,15 @@ class Session:
         self._check_known(self._needs_exemplar().own_labels, labels, "target_labels")
         return labels
 
-    def _check_known(self, source, target, parameter):
+    def _check_known(self, known, target, parameter):
         if target is None:
             return
-        if source is None:
+        if known is None:
             raise InputError(
                 "are given for the target alone; give them for both sides, or for neither",
                 parameter=parameter,
             )
-        known, found = np.zeros((2, 256), np.bool_)
-        self._passes.mark_labels(source, known)
-        self._passes.mark_labels(target, found)
-        unknown = np.flatnonzero(found & ~known)
+        unknown = np.flatnonzero(labels_in(target, self._passes) & ~known)
         if unknown.size:
             raise InputError(
                 f"have {unknown[0]} in the target, but not in the source; add a pixel of it to the "

@@ -13,6 +13,7 @@ from stylit_ref.realtime import passes
 from stylit_ref.realtime.formulae.grid import grid_size
 from stylit_ref.realtime.params import RealtimeParams
 from stylit_ref.realtime.passes.image import Image, make_image, whole
+from stylit_ref.realtime.passes.moving import ALL
 from stylit_ref.realtime.passes.search import FREE, Grid
 
 MAKERS = {
@@ -134,7 +135,10 @@ def test_blend(width, step, channels):
     do, twin = (each.make_blend(width, step, channels) for each in (passes, gpu_cuda.realtime))
     out = make_image(*size, 0 if channels == 3 else BORDER, channels)
     out = out._replace(values=out.values[: -(out.values.size % channels) or None])
-    assert_same(2, do, twin, nnf, style, out)
+    assert_same(2, do, twin, nnf, style, out, ALL)
+    moving = rng.integers(0, 2, grid, np.uint8)
+    after = np.where(moving, random_entries(rng, grid, (9, 8), width // 2), nnf)
+    assert_same(2, do, twin, after, style, out, moving)
 
 
 @pytest.mark.parametrize("size", [(9, 8), (1, 3)])
@@ -179,6 +183,20 @@ def test_half_iteration(shape, lanes, parity, radius):
     stop = np.zeros(1, np.uint8)
     assert_same(0, do, twin, nnf, *images, row, entries, stream, parity, radius, stop)
     assert (nnf != before).any()
+    entries = entries._replace(moving=rng.integers(0, 2, grid, np.uint8))
+    assert_same(0, do, twin, before, *images, row, entries, stream, parity, radius, stop)
+    assert (nnf != before).any()
+
+
+def test_entries_that_move():
+    rng = np.random.default_rng(2)
+    before = rng.integers(0, 9, (6, 7)).astype(np.int32)
+    after, moving = before.copy(), np.full((6, 7), 3, np.uint8)
+    after[0, 6] += 1
+    after[3, 2] += 1
+    do, twin = passes.mark_moving, gpu_cuda.realtime.mark_moving
+    assert_same(2, do, twin, before, after, moving)
+    assert moving.sum() == 4 + 9
 
 
 @pytest.mark.parametrize(("shape", "unit"), [((5, 5), 12), ((1, 3), 36)])
@@ -243,7 +261,7 @@ def test_a_stopped_search_changes_nothing():
 
 def test_a_session_gives_the_same_picture():
     case = make_case((9, 10), (11, 8), channels=3)
-    params = RealtimeParams(levels=2, iterations=(1,))
+    params = RealtimeParams(levels=2, iterations=(1,), warm_iterations=2)
     host = make_session(case, params)
     device = make_session(case, params, passes=gpu_cuda.realtime)
     np.testing.assert_array_equal(device.frame(), host.frame())

@@ -178,7 +178,7 @@ MISTAKES = {
     "iterations counted on": ('"iteration": iteration', '"iteration": iteration + 1', "frame"),
     "a vote where there should be none": ('self.p["start"] == "vote" or', "True or", "frame"),
     "a warm frame that begins at random": (
-        'frame.refine(a["nnf"], None, 0)',
+        'frame.refine(a["nnf"], None, 0, settles=True)',
         'a["nnf"] = frame.begin(None, p["levels"] - 1) if p["levels"] == 1 else frame.cold()',
         "warm_frame",
     ),
@@ -220,6 +220,22 @@ MISTAKES = {
     "a warm frame with the radius of a cold one": (
         '[p["warm_radius"], *radii[1:]]',
         "radii",
+        "warm_frame",
+    ),
+    "a warm frame with the iterations of a cold one": (
+        '[p["warm_iterations"], *',
+        "[iterations[0], *",
+        "warm_frame",
+    ),
+    "a warm frame that searches everything again": ("if settles:", "if False:", "warm_frame"),
+    "entries beside those that moved stay": (
+        "moving[max(a - 1, 0) : a + 2, max(b - 1, 0) : b + 2] = True",
+        "moving[a, b] = True",
+        "warm_frame",
+    ),
+    "entries that moved once move on": (
+        "moving = moving_entries(before, nnf)",
+        "moving = moving_entries(before, nnf) | (False if moving is None else moving)",
         "warm_frame",
     ),
     "a warm frame with all iterations": ("(count + 1) // 2", "count", "warm_frame"),

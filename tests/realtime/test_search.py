@@ -8,6 +8,7 @@ from stylit_ref.randomness.random_stream import REALTIME_SEARCH, random_stream, 
 from stylit_ref.realtime.formulae.feature_distance import lane_weights
 from stylit_ref.realtime.passes import make_extend, make_fill, make_insert_style, make_search
 from stylit_ref.realtime.passes.image import make_image
+from stylit_ref.realtime.passes.moving import ALL
 from stylit_ref.realtime.passes.search import FREE, Grid
 
 BORDER, STEP = 8, 3
@@ -19,7 +20,9 @@ def image_of(pixels, lanes):
     return image
 
 
-def brute_search(nnf, energy, source, labels, source_labels, margin, stream, parity, radius):
+def brute_search(
+    nnf, energy, source, labels, source_labels, moving, margin, stream, parity, radius
+):  # fmt: skip
     """The half iteration of the thesis, with one entry after another."""
     nnf = nnf.copy()
     (h, w), (rows, columns) = source, nnf.shape[:2]
@@ -27,7 +30,7 @@ def brute_search(nnf, energy, source, labels, source_labels, margin, stream, par
     last = max(h - 1 - margin, first[0]), max(w - 1 - margin, first[1])
     before = nnf.copy()
     for a, b in np.ndindex(rows, columns):
-        if (a + b + parity) % 2:
+        if (a + b + parity) % 2 or not moving[a, b]:
             continue
 
         def fits(place, label=labels[a, b]):
@@ -62,8 +65,8 @@ def brute_search(nnf, energy, source, labels, source_labels, margin, stream, par
 
 @pytest.mark.parametrize("width", [3, 5, 7])
 @pytest.mark.parametrize(("channels", "mu"), [(10, 4), (10, 0), (7, 9), (13, 4), (3, 16)])
-@pytest.mark.parametrize("parity", [0, 1])
-def test_against_patches_as_arrays(width, channels, mu, parity):
+@pytest.mark.parametrize(("parity", "some_move"), [(0, False), (1, False), (0, True), (1, True)])
+def test_against_patches_as_arrays(width, channels, mu, parity, some_move):
     random = np.random.default_rng(width + mu)
     source, target = (15, 18), (13, 10)
     guides, style, aimed, picture = (
@@ -103,13 +106,16 @@ def test_against_patches_as_arrays(width, channels, mu, parity):
         return weighed
 
     stream = random_stream(9, REALTIME_SEARCH, 1, 2, parity)
+    moving = random.integers(0, 2, grid, np.uint8) if some_move else np.ones(grid, np.uint8)
+    moving[2] = 1 - some_move  # a row of none
     expected = brute_search(
-        nnf, energy, source, labels, source_labels, margin, stream, parity, radius=9
+        nnf, energy, source, labels, source_labels, moving, margin, stream, parity, radius=9
     )
     packed = (place[0] << 16 | place[1]).astype(np.int32)
     make_search(width, width, lanes)(
         packed, read, target_guides, shown, weights,
-        Grid(STEP, STEP, margin, labels, source_labels), stream, parity, 9, np.zeros(1, np.uint8),
+        Grid(STEP, STEP, margin, labels, source_labels, moving if some_move else ALL),
+        stream, parity, 9, np.zeros(1, np.uint8),
     )  # fmt: skip
     assert np.array_equal(np.stack([packed >> 16, packed & 0xFFFF], -1), expected)
 

@@ -104,21 +104,42 @@ def test_a_target_leaves_the_source_alone():
     calls.clear()
     session.set_target(case.target, case.target_labels)
     assert calls == {
-        "fill": 1, "halve": 5, "mark_labels": 2, "decimate_labels": 6, "free_lost_labels": 6,
+        "fill": 1, "halve": 5, "mark_labels": 1, "decimate_labels": 6, "free_lost_labels": 6,
     }  # fmt: skip
 
 
 @pytest.mark.parametrize(
     ("level", "expected"),
     [
-        (0, {"search": 2, "blend": 2}),  # level 0 alone
-        (4, {"random_nnf": 1, "upsample_nnf": 1, "renew": 1, "search": 18, "blend": 2}),
-        (3, {"random_nnf": 1, "upsample_nnf": 2, "renew": 1, "search": 26, "blend": 6}),
+        (0, {"search": 6, "mark_moving": 2, "blend": 4}),  # level 0 alone
+        (
+            4,
+            {
+                "random_nnf": 1,
+                "upsample_nnf": 1,
+                "renew": 1,
+                "search": 22,
+                "mark_moving": 2,
+                "blend": 4,
+            },
+        ),
+        (
+            3,
+            {
+                "random_nnf": 1,
+                "upsample_nnf": 2,
+                "renew": 1,
+                "search": 30,
+                "mark_moving": 2,
+                "blend": 8,
+            },
+        ),
     ],
 )
 def test_a_warm_frame_searches_level_0_and_those_it_renews_from(level, expected):
     ours, calls = counted()
-    session = make_session(make_case(), RealtimeParams(renewal_level=level), passes=ours)
+    params = RealtimeParams(renewal_level=level, warm_iterations=3)
+    session = make_session(make_case(), params, passes=ours)
     session.frame()
     calls.clear()
     session.frame(warm=True)

@@ -1,7 +1,8 @@
 """What a hand waits for: a new view, a stroke in the style, a camera that moves."""
 
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from itertools import cycle
 
 import numpy as np
 import pandas as pd
@@ -15,7 +16,7 @@ from stylit_ref.realtime.params import RealtimeParams
 WAITED = {
     "cold": "another target, from nothing",
     "stroke": "another style, its pyramid included; coarse levels are kept",
-    "warm": "a target that has moved a little, from the last frame's NNF",
+    "warm": "a target that has moved by a pixel, from the last frame's NNF",
 }
 """What is waited for, in the order of a turn."""
 
@@ -60,6 +61,7 @@ class HandTimes(OnProcessor):
             preset: Frames(scene, RealtimeParams.preset(preset), (), seed, available_threads())
             for preset in self.presets
         }
+        moved = {preset: cycle((_to_the_right(scene), scene)) for preset in self.presets}
         begun = time.perf_counter()
         turns = []
         for _ in range(self.rounds + 1):
@@ -67,7 +69,9 @@ class HandTimes(OnProcessor):
             for preset, frames in makers.items():
                 for kind in WAITED:
                     if kind == "warm":  # a camera that moves makes one warm frame after another
+                        frames.show(next(moved[preset]))
                         _frame(frames, scene.style, kind)
+                        frames.show(next(moved[preset]))
                     before = time.perf_counter()
                     image = _frame(frames, scene.style, kind)
                     turn[preset, kind] = 1000 * (time.perf_counter() - before)
@@ -78,6 +82,15 @@ class HandTimes(OnProcessor):
             for (preset, kind), times in spent.items()
         ]
         return Outcome(image, time.perf_counter() - begun, history=pd.DataFrame(rows))
+
+
+def _to_the_right(scene):
+    """The scene with a target that is moved by a pixel; its left edge is repeated."""
+    shifted = {
+        name: (source, np.concatenate([target[:, :1], target[:, :-1]], axis=1))
+        for name, (source, target) in scene.buffers.items()
+    }
+    return replace(scene, buffers=shifted)
 
 
 def _frame(frames, style, kind) -> np.ndarray:

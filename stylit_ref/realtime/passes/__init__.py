@@ -4,6 +4,7 @@ from stylit_ref.realtime.passes.blend import make_blend
 from stylit_ref.realtime.passes.border import make_extend
 from stylit_ref.realtime.passes.dense_finish import make_dense_nnf, make_vote
 from stylit_ref.realtime.passes.fill import make_fill
+from stylit_ref.realtime.passes.moving import mark_moving
 from stylit_ref.realtime.passes.pyramid import (
     decimate_labels,
     free_lost_labels,
@@ -31,6 +32,7 @@ __all__ = [
     "make_search",
     "make_vote",
     "mark_labels",
+    "mark_moving",
     "random_nnf",
     "upsample_nnf",
     "upsample_picture",

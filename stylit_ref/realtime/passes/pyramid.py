@@ -36,8 +36,12 @@ def make_halve(lanes: int) -> Callable[..., None]:
 def mark_labels(labels: NDArray[np.uint8], is_there: NDArray[np.bool_]) -> None:
     """Mark in (256,) ``is_there`` which labels there are."""
     for y in prange(labels.shape[0]):
+        last = -1
         for x in range(np.uint64(labels.shape[1])):
-            is_there[labels[y, x]] = True
+            label = np.int64(labels[y, x])
+            if label != last:  # neighbours mostly have the same, and a comparison is faster
+                is_there[label] = True
+                last = label
 
 
 @kernel(parallel=False, nogil=True)

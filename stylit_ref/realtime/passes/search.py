@@ -16,6 +16,7 @@ from stylit_ref.realtime.formulae.grid import first_centre, last_centre
 from stylit_ref.realtime.formulae.packed_nnf import column_of, packed, row_of
 from stylit_ref.realtime.formulae.random_candidate import random_column, random_row
 from stylit_ref.realtime.passes.image import Image
+from stylit_ref.realtime.passes.moving import ALL, any_moves
 
 WORST = 2**31 - 1
 """The energy of a match that a label forbids."""
@@ -42,6 +43,8 @@ class Grid(NamedTuple):
     labels : (rows, columns) int16
         Labels of the entries, or :data:`FREE`; of no entries if there are none.
     source_labels : (height, width) uint8
+    moving : (rows, columns) uint8
+        Not 0 for the entries that are searched; of no entries if all are.
     """
 
     step: int
@@ -49,6 +52,7 @@ class Grid(NamedTuple):
     margin: int
     labels: NDArray[np.int16]
     source_labels: NDArray[np.uint8]
+    moving: NDArray[np.uint8] = ALL
 
 
 @inlined
@@ -96,7 +100,7 @@ def make_search(rows: int, pixels: int, lanes: int) -> Callable[..., None]:
         stop: NDArray[np.uint8],
     ) -> None:
         height, width = nnf.shape
-        step, margin, labels = grid.step, grid.margin, grid.labels
+        step, margin, labels, moving = grid.step, grid.margin, grid.labels, grid.moving
         first_y, last_y = first_centre(source.height, margin), last_centre(source.height, margin)
         first_x, last_x = first_centre(source.width, margin), last_centre(source.width, margin)
         pixels_of, stride, source_labels = source.values, source.stride * unit, grid.source_labels
@@ -106,9 +110,9 @@ def make_search(rows: int, pixels: int, lanes: int) -> Callable[..., None]:
         while largest_radius >> draws > 0:
             draws += 1
         for row in prange(height):
-            if stop[0]:
-                continue
             a = np.int64(row)
+            if stop[0] or (moving.size and not any_moves(moving, a)):
+                continue
             begin = (a + parity) & 1
             entries = (width - begin + 1) // 2
             patch = np.empty(rows * length, np.int16)
@@ -117,6 +121,8 @@ def make_search(rows: int, pixels: int, lanes: int) -> Callable[..., None]:
                 _draw(words[draw : draw + 4], stream, a * width + begin, draw // 4)
             for k in range(entries):
                 b = begin + 2 * k
+                if moving.size and not moving[np.uint64(a), np.uint64(b)]:
+                    continue
                 at = target_origin + (a * style.stride + b) * grid.spacing
                 widen(
                     patch, guides.values, at * unit, style.stride * unit,

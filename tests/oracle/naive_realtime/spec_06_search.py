@@ -14,11 +14,13 @@ NEIGHBOURS = (-1, 0), (1, 0), (0, -1), (0, 1)
 class Half:
     """A half iteration.
 
-    ``labels`` are those of the entries and of the source, or None.
+    ``labels`` are those of the entries and of the source, or None; ``moving`` says which entries
+    are searched, or is None.
     """
 
-    def __init__(self, p, nnf, energy, size, labels):
+    def __init__(self, p, nnf, energy, size, labels, moving=None):
         self.p, self.nnf, self.energy, self.labels = p, nnf, energy, labels
+        self.moving = moving
         self.bounds = ranges(size, p["patch_width"])
 
     def is_barred(self, entry, centre):
@@ -66,6 +68,8 @@ class Half:
         """Search the entries of the half."""
         for entry in np.ndindex(self.nnf.shape[:2]):
             if (entry[0] + entry[1] + self.p["half"]) % 2:
+                continue
+            if self.moving is not None and not self.moving[entry]:
                 continue
             self.match = tuple(self.nnf[entry].tolist())
             barred = self.is_barred(entry, self.match)

@@ -52,7 +52,7 @@ class Frame:
             return self.blended(nnf, level)
         return upsampled_picture(self.blended(coarse, level + 1), self.size(level))
 
-    def search(self, nnf, picture, level, iteration):
+    def search(self, nnf, picture, level, iteration, moving):
         """Do an iteration."""
         p = self.p
         height, width = self.source_size(level)
@@ -72,16 +72,19 @@ class Frame:
         energy = Energy(here, images)
         for half in (0, 1):
             now = here | {"half": half}
-            Half(now, nnf, energy, (height, width), labels_of(p, *labels)).run()
+            Half(now, nnf, energy, (height, width), labels_of(p, *labels), moving).run()
 
-    def refine(self, nnf, coarse, level):
-        """Do the iterations of a level."""
-        picture = self.first_picture(nnf, coarse, level)
+    def refine(self, nnf, coarse, level, settles=False):
+        """Do the iterations of a level; where it settles, later ones search what moves alone."""
+        picture, moving = self.first_picture(nnf, coarse, level), None
         reads_style = at(self.p["mu"], level) > 0
         for iteration in range(at(self.p["iterations"], level)):
             if iteration > 0 and reads_style:
                 picture = self.blended(nnf, level)
-            self.search(nnf, picture, level, iteration)
+            before = nnf.copy()
+            self.search(nnf, picture, level, iteration, moving)
+            if settles:
+                moving = moving_entries(before, nnf)
 
     def cold(self, last=0):
         """Give the NNF of a level, begun from nothing."""
@@ -90,6 +93,14 @@ class Frame:
             coarse, nnf = nnf, self.begin(nnf, level)
             self.refine(nnf, coarse, level)
         return nnf
+
+
+def moving_entries(before, nnf):
+    """Tell which entries have another match than before, or stand beside one that has."""
+    moving = np.zeros(nnf.shape[:2], bool)
+    for a, b in np.argwhere((nnf != before).any(axis=2)).tolist():
+        moving[max(a - 1, 0) : a + 2, max(b - 1, 0) : b + 2] = True
+    return moving
 
 
 def others(labels):
@@ -149,7 +160,7 @@ def warm(p):
     )
     return {
         "mu": mu if p["scale_space"] else [p["warm_mu"], *mu[1:]],
-        "iterations": [iterations[0], *((count + 1) // 2 for count in iterations[1:])],
+        "iterations": [p["warm_iterations"], *((count + 1) // 2 for count in iterations[1:])],
         "radii": [p["warm_radius"], *radii[1:]],
     }
 
@@ -167,7 +178,7 @@ def stage_warm_frame(p, a):
     level = min(p["renewal_level"], p["levels"] - 1)
     if level > 0 and at(p["mu"], level) < 16:
         renew(p | {"renewal_level": level}, a, a["nnf"], frame.cold(level))
-    frame.refine(a["nnf"], None, 0)
+    frame.refine(a["nnf"], None, 0, settles=True)
     return {"picture": frame.blended(a["nnf"], 0), "nnf": a["nnf"]}
 
 
