@@ -73,7 +73,7 @@ def _finish(passes, parameters, arrays):
     return {"picture": session.replay(), "dense": session.dense_nnf()}
 
 
-_PASSES = *dict.fromkeys(n for stage in LEVEL_STAGES.values() for n in stage.passes), "mark_labels"
+_PASSES = tuple(dict.fromkeys(n for stage in LEVEL_STAGES.values() for n in stage.passes))
 _RENEWAL = *LEVEL, *LABELS, "make_renew"
 
 STAGES = {

@@ -16,7 +16,7 @@ from stylit_ref.realtime.target import Target
 LEVEL = "make_fill", "make_halve", "make_insert_style", "make_box_records", "make_mip_records"
 """Passes that prepare a level."""
 
-LABELS = "decimate_labels", "free_lost_labels"
+LABELS = "mark_labels", "decimate_labels", "free_lost_labels"
 
 SHAPING = (
     "patch_width", "spacing", "levels", "mu", "terms", "iterations", "radii", "start",
