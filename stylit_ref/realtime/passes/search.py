@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from stylit_ref.machine.inlined import inlined
 from stylit_ref.machine.kernel import kernel
+from stylit_ref.machine.prefetch import prefetch
 from stylit_ref.machine.vector_patch import STYLE_LANES, make_patch_ssd, make_widen, row_lanes
 from stylit_ref.randomness.random_stream import random_words
 from stylit_ref.realtime.formulae.grid import first_centre, last_centre
@@ -62,6 +63,13 @@ def _draw(words, stream, first, draw):
         words[0, k], words[1, k], words[2, k], words[3, k] = random_words(
             stream, first + 2 * k, draw
         )
+
+
+@inlined
+def _random_place(word, radius, y, x, first_y, last_y, first_x, last_x):
+    new_y = random_row(word, max(y - radius, first_y), min(y + radius, last_y))
+    new_x = random_column(word, max(x - radius, first_x), min(x + radius, last_x))
+    return new_y, new_x
 
 
 @cache
@@ -117,6 +125,7 @@ def make_search(rows: int, pixels: int, lanes: int) -> Callable[..., None]:
             entries = (width - begin + 1) // 2
             patch = np.empty(rows * length, np.int16)
             words = np.empty((draws + 3, entries), np.uint32)
+            places = np.empty((0 if is_patch else draws, 2), np.int64)
             for draw in range(0, draws, 4):
                 _draw(words[draw : draw + 4], stream, a * width + begin, draw // 4)
             for k in range(entries):
@@ -149,14 +158,23 @@ def make_search(rows: int, pixels: int, lanes: int) -> Callable[..., None]:
                     else:
                         if trial == 4:
                             middle_y, middle_x = y, x
-                        radius = largest_radius >> (trial - 4)
-                        word = words[np.uint64(trial - 4), np.uint64(k)]
-                        new_y = random_row(
-                            word, max(middle_y - radius, first_y), min(middle_y + radius, last_y)
-                        )
-                        new_x = random_column(
-                            word, max(middle_x - radius, first_x), min(middle_x + radius, last_x)
-                        )
+                            # Records are short and mostly far apart: memory is what they wait for.
+                            for draw in range(0 if is_patch else draws):
+                                new_y, new_x = _random_place(
+                                    words[np.uint64(draw), np.uint64(k)], largest_radius >> draw,
+                                    y, x, first_y, last_y, first_x, last_x,
+                                )  # fmt: skip
+                                places[np.uint64(draw), 0] = new_y
+                                places[np.uint64(draw), 1] = new_x
+                                prefetch(pixels_of, origin + new_y * stride + new_x * unit)
+                        draw = np.uint64(trial - 4)
+                        if is_patch:
+                            new_y, new_x = _random_place(
+                                words[draw, np.uint64(k)], largest_radius >> (trial - 4),
+                                middle_y, middle_x, first_y, last_y, first_x, last_x,
+                            )  # fmt: skip
+                        else:
+                            new_y, new_x = places[draw, 0], places[draw, 1]
                     if new_y == y and new_x == x:
                         continue
                     if label != FREE and source_labels[np.uint64(new_y), np.uint64(new_x)] != label:
