@@ -183,7 +183,8 @@ plt.show()
 # ## Warm starts and flicker
 #
 # A frame that is searched anew, even of the same target, finds other matches of the same quality.
-# A *warm* frame begins with those of the last one, and searches the finest level alone.
+# A *warm* frame begins with those of the last one. It renews what has grown old from a
+# coarse level, and searches the finest one.
 
 # %%
 session = session_of("best")

@@ -1,4 +1,4 @@
-"""The entries that a warm frame still searches and blends after its first iteration."""
+"""The entries whose matches still move in a warm frame."""
 
 from numba import cuda, types
 

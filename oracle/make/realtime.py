@@ -140,6 +140,8 @@ WARM = {
     "held_back": {"warm_mu": 9, "warm_radius": 2, "iterations": (2, 3)},
     "style_alone": {"warm_mu": 16, "warm_radius": 0},
     **{f"settled_{n}": TURNED | {"warm_iterations": n} for n in (1, 2, 5)},
+    "settled_optimized": TURNED | FRAMES["optimized"],
+    "settled_labels": TURNED | FRAMES["labels"] | {"levels": 3},
 }
 """How each warm frame differs from that of ``best``. The target moves a little, or turns around."""
 

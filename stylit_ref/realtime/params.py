@@ -44,7 +44,8 @@ class RealtimeParams:
     terms : {"sums", "means"}
         Whether E sums over channels, as printed, or takes the mean of each term's.
     iterations : tuple of int
-        Iterations by level: a search in two halves each, and a blend.
+        Iterations by level: a search in two halves each, and a blend. Level 0 of a warm frame has
+        ``warm_iterations``.
     radii : tuple of int
         Largest radius of the random search by level, in pixels of that level; 32768 for the whole
         source.
@@ -68,8 +69,9 @@ class RealtimeParams:
     warm_radius : int
         The largest radius of the random search at level 0 of a warm frame.
     warm_iterations : int
-        Iterations at level 0 of a warm frame. After the first, only entries are searched whose
-        match moved in the one before, or that of a neighbour: what was renewed settles.
+        Iterations at level 0 of a warm frame. The first searches every entry. Each later one
+        searches only entries whose match moved in the one before, and their neighbours: what was
+        renewed settles.
     dense_finish : bool
         Give every pixel the best match of the entries around it at the end, and average all patches
         over it: less energy, but slower. Not with ``scale_space``.
@@ -123,7 +125,8 @@ class RealtimeParams:
     )
     warm_iterations: int = parameter(
         4, Integer(0, 1000),
-        "iterations at the finest level, in warm frames; after the first, only where matches move",
+        "iterations at the finest level, in warm frames; each after the first searches only where "
+        "matches moved in the one before",
     )  # fmt: skip
     dense_finish: bool = parameter(False, Flag(), "end with a match for every pixel; slower")
     labels: bool = parameter(True, Flag(), "match only pixels of the same label")
@@ -218,7 +221,7 @@ def _at(values, level):
 
 _THESIS = {
     "mu": (16, 16, 8, 8, 0, 0), "iterations": (2,), "radii": (EVERYWHERE,), "start": "bilinear",
-    "labels": False,
+    "labels": False, "warm_mu": 2, "warm_iterations": 2,
 }  # fmt: skip
 
 REALTIME_PRESETS: dict[str, dict[str, Any]] = {

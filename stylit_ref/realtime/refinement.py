@@ -134,8 +134,8 @@ def refine(
     """Do a level's iterations: search both halves, then blend, if a later search reads B'.
 
     ``nnf`` ends with this level where B' begins with a vote in any case. If the level ``settles``,
-    iterations after the first search entries alone whose match moved in the one before, and those
-    around them.
+    each iteration after the first searches only entries whose match moved in the one before, and
+    their neighbours.
     """
     for _ in refining(exemplar, target, refinement, nnf, level, seed, stop, settles=settles):
         pass
@@ -192,6 +192,8 @@ def refining(
         if before is not None:
             moving = np.empty(target.grids[level], np.uint8)
             passes.mark_moving(before, nnf[level], moving)
+            if not moving.any():
+                return
             grid = grid._replace(moving=moving)
         if reads_style and iteration + 1 < iterations:
             yield Operation("blend", level, iteration + 1)

@@ -35,8 +35,12 @@ def kernels_of_frame(
     buffers = {
         name: np.zeros((side, side, channels.get(name, 3)), np.uint8) for name in packing.names
     }
-    # A second iteration calls what the first one does.
-    short = replace(params, iterations=tuple(min(count, 1) for count in params.iterations))
+    # A second iteration calls what the first one does, and in a warm frame the third the second.
+    short = replace(
+        params,
+        iterations=tuple(min(count, 1) for count in params.iterations),
+        warm_iterations=min(params.warm_iterations, 2),
+    )
     with rehearsal() as rehearsed:
         guides, labels = pack(packing, buffers)
         session = Session(short, threads=1)

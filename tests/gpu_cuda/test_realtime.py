@@ -183,9 +183,25 @@ def test_half_iteration(shape, lanes, parity, radius):
     stop = np.zeros(1, np.uint8)
     assert_same(0, do, twin, nnf, *images, row, entries, stream, parity, radius, stop)
     assert (nnf != before).any()
-    entries = entries._replace(moving=rng.integers(0, 2, grid, np.uint8))
-    assert_same(0, do, twin, before, *images, row, entries, stream, parity, radius, stop)
-    assert (nnf != before).any()
+    moving = rng.integers(0, 2, grid, np.uint8)
+    entries, nnf = entries._replace(moving=moving), before.copy()
+    assert_same(0, do, twin, nnf, *images, row, entries, stream, parity, radius, stop)
+    changed = nnf != before
+    assert changed[moving == 1].any()
+    assert not changed[moving == 0].any()
+
+
+def test_a_blend_leaves_what_does_not_move():
+    style, out = image_of(np.random.default_rng(1), (20, 20), STYLE_LANES), (12, 12)
+    out = make_image(*out, BORDER, STYLE_LANES)
+    out.values[:] = 7
+    moving = np.zeros((4, 4), np.uint8)
+    moving[1, 1] = 1
+    entries = random_entries(np.random.default_rng(2), (4, 4), (20, 20), 2)
+    gpu_cuda.realtime.make_blend(5, 3, STYLE_LANES)(entries, style, out, moving)
+    written = np.any(whole(out, STYLE_LANES)[BORDER:-BORDER, BORDER:-BORDER] != 7, axis=2)
+    assert written[1:6, 1:6].all()
+    assert written.sum() == 25
 
 
 def test_entries_that_move():

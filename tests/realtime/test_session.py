@@ -9,6 +9,7 @@ import pytest
 from small_realtime import make_case, make_session
 
 from stylit_ref.errors import InputError
+from stylit_ref.machine.replaced import replaced
 from stylit_ref.realtime import passes
 from stylit_ref.realtime.exemplar import Exemplar
 from stylit_ref.realtime.params import REALTIME_PRESETS, RealtimeParams
@@ -284,6 +285,37 @@ def test_cancelling_ends_a_frame_and_leaves_the_last_state():
     thread.join()
     assert len(ended) == 1
     assert np.array_equal(session.nnf, quick.nnf)
+
+
+def test_a_warm_frame_after_a_cancelled_one_is_as_without_it():
+    """A frame may be cancelled after any blend, B' done in part: the next does not build on it."""
+    case = make_case()
+    cold = make_session(case)
+    cold.frame()
+    blends = []
+    cuts = [0]
+
+    def make_blend(*constants):
+        blend = passes.make_blend(*constants)
+
+        def cancels(*arguments):
+            blend(*arguments)
+            blends.append(constants)
+            if len(blends) == cuts[-1]:
+                session.cancel()
+
+        return cancels
+
+    session = make_session(case, passes=replaced(passes, make_blend=make_blend))
+    session.nnf = cold.nnf
+    expected = session.frame(warm=True)
+    for cut in range(1, len(blends) + 1):
+        cuts.append(cut)
+        session.nnf = cold.nnf
+        blends.clear()
+        with pytest.raises(FrameCancelledError):
+            session.frame(warm=True)
+        assert np.array_equal(session.frame(warm=True), expected)
 
 
 def test_a_frame_that_waits_is_cancelled_too():

@@ -2,7 +2,8 @@
 
 import time
 from dataclasses import dataclass, replace
-from itertools import cycle
+from functools import partial
+from itertools import count
 
 import numpy as np
 import pandas as pd
@@ -61,7 +62,7 @@ class HandTimes(OnProcessor):
             preset: Frames(scene, RealtimeParams.preset(preset), (), seed, available_threads())
             for preset in self.presets
         }
-        moved = {preset: cycle((_to_the_right(scene), scene)) for preset in self.presets}
+        views = {preset: map(partial(_moved, scene), count()) for preset in self.presets}
         begun = time.perf_counter()
         turns = []
         for _ in range(self.rounds + 1):
@@ -69,9 +70,9 @@ class HandTimes(OnProcessor):
             for preset, frames in makers.items():
                 for kind in WAITED:
                     if kind == "warm":  # a camera that moves makes one warm frame after another
-                        frames.show(next(moved[preset]))
+                        frames.show(next(views[preset]))
                         _frame(frames, scene.style, kind)
-                        frames.show(next(moved[preset]))
+                        frames.show(next(views[preset]))
                     before = time.perf_counter()
                     image = _frame(frames, scene.style, kind)
                     turn[preset, kind] = 1000 * (time.perf_counter() - before)
@@ -84,10 +85,16 @@ class HandTimes(OnProcessor):
         return Outcome(image, time.perf_counter() - begun, history=pd.DataFrame(rows))
 
 
-def _to_the_right(scene):
-    """The scene with a target that is moved by a pixel; its left edge is repeated."""
+def _moved(scene, view):
+    """The scene in a view by a camera that goes up to 16 pixels to the side and back, by one each.
+
+    Its edge is repeated.
+    """
+    pixels = abs((view + 16) % 32 - 16)
+    width = scene.target_guides[0].shape[1]
+    columns = (np.arange(width) - pixels).clip(0)
     shifted = {
-        name: (source, np.concatenate([target[:, :1], target[:, :-1]], axis=1))
+        name: (source, np.ascontiguousarray(target[:, columns]))
         for name, (source, target) in scene.buffers.items()
     }
     return replace(scene, buffers=shifted)

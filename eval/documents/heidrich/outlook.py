@@ -67,8 +67,13 @@ class _HybridFrames:
     def frame(self):
         """A cold frame, (H, W, 3) uint8."""
         self._packing.pack_into(self._buffers, self._target.view)
-        self.session.nnf = places_of(self._coarse_levels())
-        return self.session.frame(warm=True)
+        nnf, inputs = self._coarse_levels(), self.session.inputs
+        exemplar, target, refinement, _ = inputs
+        with using_threads(self._threads):
+            refine(exemplar, target, refinement, [nnf], 0, self._seed, self._stop)
+            picture = inputs.blended(nnf)
+        self.session.nnf = places_of(nnf)
+        return picture
 
     def _coarse_levels(self):
         """The NNF with which the finest level begins."""

@@ -28,8 +28,9 @@ def make_blend(width: int, step: int, channels: int) -> Callable[..., None]:
     """Build ``blend(nnf, style, out, moving)`` for patches of ``width`` pixels, ``step`` apart.
 
     ``channels`` is 4 for an image with a border, which is filled too, and 3 for the picture.
-    ``moving``, (rows, columns) uint8, is 0 where an entry is as it was when ``out`` was last
-    blended: pixels of such entries alone are left as they are. It has no entries if all may differ.
+    ``moving``, (rows, columns) uint8, is 0 for entries that are as they were when ``out`` was last
+    blended. Pixels that only such entries cover may be left as they are. It has no entries if all
+    may differ.
     """
     radius = width // 2
     cell = make_blend_cell(

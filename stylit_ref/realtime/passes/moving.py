@@ -1,4 +1,4 @@
-"""The entries that a warm frame still searches and blends after its first iteration."""
+"""The entries whose matches still move in a warm frame."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -7,7 +7,7 @@ from stylit_ref.machine.inlined import inlined
 from stylit_ref.machine.kernel import kernel
 
 ALL = np.zeros((0, 0), np.uint8)
-"""No entry in particular: every one counts as moving."""
+"""What stands for a mark at every entry."""
 
 
 @inlined

@@ -158,7 +158,7 @@ def make_search(rows: int, pixels: int, lanes: int) -> Callable[..., None]:
                     else:
                         if trial == 4:
                             middle_y, middle_x = y, x
-                            # Records are short and mostly far apart: memory is what they wait for.
+                            # Records are short and far apart, so the search waits for memory.
                             for draw in range(0 if is_patch else draws):
                                 new_y, new_x = _random_place(
                                     words[np.uint64(draw), np.uint64(k)], largest_radius >> draw,

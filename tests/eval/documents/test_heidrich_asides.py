@@ -23,7 +23,9 @@ from eval.runs.busy_programs import spinning_processes
 from eval.runs.complete import complete
 from eval.scenes import BUNDLED
 from stylit_ref import InputError, read_uint8, write_image
+from stylit_ref.realtime.formulae.packed_nnf import entries_of, places_of
 from stylit_ref.realtime.params import RealtimeParams
+from stylit_ref.realtime.refinement import refine
 
 PROTOTYPE = """
 import numpy as np
@@ -66,9 +68,13 @@ def test_a_hybrid_is_the_optimized_method_with_the_finest_level_of_the_simple_on
     optimized.frame()
     simple = Frames(scene, RealtimeParams.preset("simple", levels=1, start="vote"))
     simple.take()
-    simple.session.nnf = optimized.session.nnf
-    expected = simple.session.frame(warm=True)
-    np.testing.assert_array_equal(Hybrid().frames(scene, 0).frame(), expected)
+    exemplar, target, refinement, _ = inputs = simple.session.inputs
+    assert refinement.layout.params.iterations_at(0) == 2
+    nnf = entries_of(optimized.session.nnf)
+    refine(exemplar, target, refinement, [nnf], 0, 0, np.zeros(1, np.uint8))
+    hybrid = Hybrid().frames(scene, 0)
+    np.testing.assert_array_equal(hybrid.frame(), inputs.blended(nnf))
+    np.testing.assert_array_equal(hybrid.session.nnf, places_of(nnf))
 
 
 def test_frames_and_a_prototypes_take_turns(prototype):
