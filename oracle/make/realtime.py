@@ -137,9 +137,9 @@ WARM = {
     **{f"turned_{n}": TURNED | {"iterations": (1, n), "warm_iterations": 0} for n in (2, 3)},
     "not_renewed": {"renewal_level": 0},
     "unread_guides": {"mu": (16,)},
-    "held_back": {"warm_mu": 9, "warm_radius": 2, "iterations": (2, 3)},
+    "held_back": {"warm_mu": 9, "warm_radius": 2, "warm_iterations": 1},
     "style_alone": {"warm_mu": 16, "warm_radius": 0},
-    **{f"settled_{n}": TURNED | {"warm_iterations": n} for n in (1, 2, 5)},
+    **{f"settled_{n}": TURNED | {"warm_iterations": n} for n in (2, 5)},
     "settled_optimized": TURNED | FRAMES["optimized"],
     "settled_labels": TURNED | FRAMES["labels"] | {"levels": 3},
 }
