@@ -116,7 +116,7 @@ class RealtimeParams:
         "for none",
     )  # fmt: skip
     warm_mu: int = parameter(
-        4,
+        2,
         Integer(0, MU_ONE),
         "weight of the style in sixteenths at the finest level, in warm frames",
     )
@@ -124,7 +124,7 @@ class RealtimeParams:
         8, Integer(0, EVERYWHERE), "largest search radius at the finest level, in warm frames"
     )
     warm_iterations: int = parameter(
-        4, Integer(0, 1000),
+        1, Integer(0, 1000),
         "iterations at the finest level, in warm frames; each after the first searches only where "
         "matches moved in the one before",
     )  # fmt: skip
@@ -221,14 +221,13 @@ def _at(values, level):
 
 _THESIS = {
     "mu": (16, 16, 8, 8, 0, 0), "iterations": (2,), "radii": (EVERYWHERE,), "start": "bilinear",
-    "labels": False, "warm_mu": 2, "warm_iterations": 2,
+    "labels": False, "warm_iterations": 2,
 }  # fmt: skip
 
 REALTIME_PRESETS: dict[str, dict[str, Any]] = {
     "best": {},
     "quick": {
         "mu": (16, 4, 4, 4, 0), "iterations": (1, 3, 4, 8), "radii": (0, 4, 16, EVERYWHERE),
-        "warm_mu": 2, "warm_iterations": 1,
     },
     "simple": _THESIS,
     "optimized": {**_THESIS, "scale_space": True},

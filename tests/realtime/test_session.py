@@ -306,7 +306,8 @@ def test_a_warm_frame_after_a_cancelled_one_is_as_without_it():
 
         return cancels
 
-    session = make_session(case, passes=replaced(passes, make_blend=make_blend))
+    params = RealtimeParams(warm_iterations=3)
+    session = make_session(case, params, passes=replaced(passes, make_blend=make_blend))
     session.nnf = cold.nnf
     expected = session.frame(warm=True)
     for cut in range(1, len(blends) + 1):

@@ -18,7 +18,8 @@ def test_buffers_of_one_channel_are_rehearsed_as_such():
 
 
 def test_a_warm_frame_renews_matches():
-    cold, warm = (kernels_of_frame(RealtimeParams(), StagePacking(), warm=is_warm)
+    params = RealtimeParams(warm_iterations=3)
+    cold, warm = (kernels_of_frame(params, StagePacking(), warm=is_warm)
                   for is_warm in (False, True))  # fmt: skip
     assert names(warm) == [*names(cold), "renew", "mark_moving"]
 
