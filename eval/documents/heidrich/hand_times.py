@@ -2,8 +2,6 @@
 
 import time
 from dataclasses import dataclass, replace
-from functools import partial
-from itertools import count
 
 import numpy as np
 import pandas as pd
@@ -62,17 +60,17 @@ class HandTimes(OnProcessor):
             preset: Frames(scene, RealtimeParams.preset(preset), (), seed, available_threads())
             for preset in self.presets
         }
-        views = {preset: map(partial(_moved, scene), count()) for preset in self.presets}
         begun = time.perf_counter()
         turns = []
-        for _ in range(self.rounds + 1):
+        for number in range(self.rounds + 1):
+            near, on = (_moved(scene, view) for view in (2 * number, 2 * number + 1))
             turn = {}
             for preset, frames in makers.items():
                 for kind in WAITED:
                     if kind == "warm":  # a camera that moves makes one warm frame after another
-                        frames.show(next(views[preset]))
+                        frames.show(near)
                         _frame(frames, scene.style, kind)
-                        frames.show(next(views[preset]))
+                        frames.show(on)
                     before = time.perf_counter()
                     image = _frame(frames, scene.style, kind)
                     turn[preset, kind] = 1000 * (time.perf_counter() - before)
