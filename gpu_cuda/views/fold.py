@@ -29,7 +29,7 @@ def fold_kernel(own, guides, weights, mixed, spreads):
             squares += weights[k] * value * value
         mixed[y, x, c] = folded(total, everything)
         deviation += everything * squares - total * total
-    spreads[y, x, 0] = spread(deviation, everything, own.shape[2])
+    spreads[y, x, 0] = spread(deviation, everything)
 
 
 def kernels(sizes):

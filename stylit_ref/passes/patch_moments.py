@@ -89,7 +89,7 @@ def patch_moments(
     style_channel, style_channels : int
         First style channel in a packed pixel and their number.
     style_only : bool
-        Leave the sums of the guides as they are; votes do not change them.
+        Leave the sums of guides in front of the style as they are; votes do not change them.
     """
     run = _make_kernel(patch_width, texture.shape[2], style_channel, style_channels)
     columns = np.empty((get_num_threads(), 3, *texture.shape[1:]), np.int16)

@@ -145,26 +145,27 @@ class Level:
         """Set the NNF, (H_B, W_B, 2) int32; call :meth:`init_occurrence_map` to update Ω."""
         self.nnf = self.passes.upload(nnf.copy())
 
-    def set_style(self, image: NDArray[np.uint8]) -> None:
+    def set_style(
+        self, image: NDArray[np.uint8], last_guide: NDArray[np.uint8] | None = None
+    ) -> None:
         """Set B', and compute δ of the NNF with it.
+
+        Call :meth:`update_moments` before the next search.
 
         Parameters
         ----------
         image : (H_B, W_B, n) uint8
+        last_guide : (H_B, W_B, channels) uint8, optional
+            Replaces the target's last guide, which lies behind the style.
 
         Raises
         ------
         InputError
             If it has another size, type or number of channels.
         """
-        self.target.set_style(image)
+        self.target.set_style(image, last_guide)
         self.textures = self.textures._replace(target=self.target.texture)
         self.update_similarity()
-
-    def set_guide(self, number: int, image: NDArray[np.uint8]) -> None:
-        """Set a guide of the target, (H_B, W_B, channels) uint8; then call ``set_style``."""
-        self.target.set_guide(number, image)
-        self.textures = self.textures._replace(target=self.target.texture)
 
     def init_occurrence_map(self) -> None:
         """InitOccurrenceMap (2.3): compute Ω and W of the current NNF."""

@@ -91,26 +91,17 @@ class TargetLevel:
         texture = self.passes.download(self.texture)
         return self.packing.style(texture)[radius:-radius, radius:-radius]
 
-    def set_style(self, image: NDArray[np.uint8]) -> None:
-        """Set B' to an image, (H_B, W_B, n) uint8."""
+    def set_style(
+        self, image: NDArray[np.uint8], last_guide: NDArray[np.uint8] | None = None
+    ) -> None:
+        """Set B' to an image, (H_B, W_B, n) uint8, and a guide that lies behind it."""
         radius = self.patch_width // 2
         texture = self.passes.download(self.texture)
         edges = (radius, radius), (radius, radius), (0, 0)
         self.packing.set_style(texture, np.pad(image, edges, mode="edge"))
+        if last_guide is not None:
+            self.packing.guide(texture, -1)[:] = np.pad(last_guide, edges, mode="edge")
         self.texture = self.passes.upload(texture)
-
-    def set_guide(self, number: int, image: NDArray[np.uint8]) -> None:
-        """Set a guide to an image, (H_B, W_B, channels) uint8; -1 is the last guide."""
-        radius = self.patch_width // 2
-        texture = self.passes.download(self.texture)
-        edges = (radius, radius), (radius, radius), (0, 0)
-        self.packing.guide(texture, number)[:] = np.pad(image, edges, mode="edge")
-        self.texture = self.passes.upload(texture)
-        if "moments" in self.__dict__:  # else they are yet to be computed
-            self.passes.patch_moments(
-                self.texture, self.moments, self.patch_width, 0,
-                self.packing.style_channel, self.packing.style_channels,
-            )  # fmt: skip
 
 
 class Target:

@@ -95,6 +95,4 @@ def pull(
         passes.shift_picture(neighbour.picture, neighbour.places, own, guide)
     mixed, spreads = np.empty_like(own), np.empty((*own.shape[:2], 1), np.uint8)
     passes.fold(own, guides, np.full(len(neighbours), weight, np.int64), mixed, spreads)
-    if with_spread:
-        level.set_guide(-1, spreads)
-    level.set_style(mixed)
+    level.set_style(mixed, last_guide=spreads if with_spread else None)

@@ -226,9 +226,9 @@ MISTAKES = {
         "fold",
     ),
     "a spread that is cut off": ("floor(sqrt(variance) + 0.5)", "floor(sqrt(variance))", "fold"),
-    "a spread over all channels": (
-        "float(own.shape[2] * everything**2)",
+    "a spread of the mean channel": (
         "float(everything**2)",
+        "float(own.shape[2] * everything**2)",
         "fold",
     ),
     "weights of the style cut off": (
@@ -236,7 +236,7 @@ MISTAKES = {
         "style * factor // 256",
         "weights",
     ),
-    "a spread that weighs 1": ("65536 * factor // 256", "65536", "weights"),
+    "a spread that weighs as much as the style": ("style[:1] if", "[style.sum()] if", "weights"),
     "a weight rounded down": (
         "floor(float(weight) * 256 + 0.5)",
         "floor(float(weight) * 256)",

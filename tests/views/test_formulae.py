@@ -34,19 +34,20 @@ def test_mean_and_spread_are_those_of_exact_arithmetic(weights):
             assert mixed[y, x, c] == floor(mean + Fraction(1, 2))
             mean_square = Fraction(sum(w * int(v) ** 2 for w, v in values), everything)
             variances.append(mean_square - mean**2)
-        deviation = sum(variances) / 3
+        deviation = sum(variances)
         root = int(spreads[y, x, 0])
         assert max(Fraction(0), root - Fraction(1, 2)) ** 2 <= deviation
         assert deviation < (root + Fraction(1, 2)) ** 2
 
 
+@pytest.mark.parametrize(("channels", "widest"), [(1, 128), (2, 180), (3, 221), (4, 255)])
 @pytest.mark.parametrize("values", [(0, 255), (255, 0)])
-def test_the_widest_spread_fits_8_bits(values):
-    own = np.full((1, 1, 3), values[0], np.uint8)
-    guides = np.full((1, 1, 1, 3), values[1], np.uint8)
+def test_the_widest_spread_fits_8_bits(values, channels, widest):
+    own = np.full((1, 1, channels), values[0], np.uint8)
+    guides = np.full((1, 1, 1, channels), values[1], np.uint8)
     mixed, spreads = folded(own, guides, [ONE])
     assert (mixed == 128).all()
-    assert (spreads == 128).all()
+    assert (spreads == widest).all()
 
 
 def test_neighbours_that_agree_change_nothing():

@@ -6,7 +6,7 @@ shifted to this frame. Together with the style term that is, for every colour va
     |A' - B'|² + Σ λ_c |A' - G_c|²  =  (1 + Σ λ_c) (|A' - M|² + S)
 
     M  =  (B' + Σ λ_c G_c) / (1 + Σ λ_c)
-    S  =  (B'² + Σ λ_c G_c²) / (1 + Σ λ_c) - M²
+    S  =  (B'² + Σ λ_c G_c²) / (1 + Σ λ_c) - M²      (summed over the colour's channels)
 
 So the search needs no new channels: it sees M in the place of B'. S does not depend on p: it is the
 spread of B' and the G_c around their mean. It matters only where target patches are chosen, as
@@ -35,8 +35,8 @@ def folded(total: int, weights: int) -> int:
 
 
 @njit
-def spread(deviation: int, weights: int, channels: int) -> int:
-    """√S, with S the mean over the channels of a pixel, rounded half up.
+def spread(deviation: int, weights: int) -> int:
+    """√S, with S summed over the channels of a pixel, rounded half up.
 
     Parameters
     ----------
@@ -44,13 +44,12 @@ def spread(deviation: int, weights: int, channels: int) -> int:
         Σ over the channels of ``weights (ONE B'² + Σ λ_c G_c²) - total²``.
     weights : int
         ONE + Σ λ_c.
-    channels : int
-        Of the style.
 
     Returns
     -------
     int
-        At most 128, since the values lie between 0 and 255. One division and one square root in
-        IEEE arithmetic, which all processors round alike.
+        At most 255 with up to four channels, since values between 0 and 255 deviate from their mean
+        by 127.5 or less. One division and one square root in IEEE arithmetic, which all processors
+        round alike.
     """
-    return int(math.sqrt(deviation / (channels * weights * weights)) + 0.5)
+    return int(math.sqrt(deviation / (weights * weights)) + 0.5)

@@ -32,11 +32,10 @@ def fold(
         Written: √S.
     """
     everything = np.int64(ONE) + weights.sum()
-    channels = own.shape[2]
     for y in prange(own.shape[0]):
         for x in range(own.shape[1]):
             deviation = np.int64(0)
-            for c in range(channels):
+            for c in range(own.shape[2]):
                 value = np.int64(own[y, x, c])
                 total, squares = ONE * value, ONE * value * value
                 for k in range(guides.shape[0]):
@@ -45,4 +44,4 @@ def fold(
                     squares += weights[k] * value * value
                 mixed[y, x, c] = folded(total, everything)
                 deviation += everything * squares - total * total
-            spreads[y, x, 0] = spread(deviation, everything, channels)
+            spreads[y, x, 0] = spread(deviation, everything)

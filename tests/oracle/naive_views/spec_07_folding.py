@@ -21,7 +21,7 @@ def folded(own, guides, weights):
             squares = sum(weight * value**2 for weight, value in pairs)
             mixed[pixel][c] = (2 * total + everything) // (2 * everything)
             deviation += everything * squares - total**2
-        variance = float(deviation) / float(own.shape[2] * everything**2)
+        variance = float(deviation) / float(everything**2)
         spread[pixel] = floor(sqrt(variance) + 0.5)
     return mixed, spread
 
@@ -36,8 +36,7 @@ def coherent_weights(p, style_channels, neighbours, with_spread):
         factor += neighbours * in_units(p["coherence"])
     guides, style = np.split(weights, [sum(p["guide_channels"])])
     style = (style * factor + 128) // 256
-    spread = [65536 * factor // 256] if with_spread else []
-    return np.concatenate([guides, np.array(spread, np.int64), style])
+    return np.concatenate([guides, style[:1] if with_spread else [], style]).astype(np.int64)
 
 
 def stage_fold(p, a):
