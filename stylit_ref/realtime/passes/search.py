@@ -66,10 +66,44 @@ def _draw(words, stream, first, draw):
 
 
 @inlined
-def _random_place(word, radius, y, x, first_y, last_y, first_x, last_x):
+def _place_beside(entry, down, right, bounds):
+    """The place ``down`` and ``right`` of an entry's match, moved into the bounds."""
+    first_y, last_y, first_x, last_x = bounds
+    y = min(max(row_of(entry) + down, first_y), last_y)
+    x = min(max(column_of(entry) + right, first_x), last_x)
+    return y, x
+
+
+@inlined
+def _random_place(word, radius, y, x, bounds):
+    first_y, last_y, first_x, last_x = bounds
     new_y = random_row(word, max(y - radius, first_y), min(y + radius, last_y))
     new_x = random_column(word, max(x - radius, first_x), min(x + radius, last_x))
     return new_y, new_x
+
+
+@inlined
+def _ask_for_records(
+    records, origin, stride, unit, nnf, a, b, step, words, k, draws, largest_radius, bounds
+):
+    """Ask for the records that the search at entry (a, b) will probably read.
+
+    Smaller radii than half of them lead to the neighbourhood of its own match.
+    """
+    entry = nnf[np.uint64(a), np.uint64(b)]
+    y, x = row_of(entry), column_of(entry)
+    prefetch(records, origin + y * stride + x * unit)
+    for trial in range(4):
+        na, nb = a + DOWN[trial], b + RIGHT[trial]
+        if na < 0 or na >= nnf.shape[0] or nb < 0 or nb >= nnf.shape[1]:
+            continue
+        entry = nnf[np.uint64(na), np.uint64(nb)]
+        new_y, new_x = _place_beside(entry, (a - na) * step, (b - nb) * step, bounds)
+        prefetch(records, origin + new_y * stride + new_x * unit)
+    for draw in range((draws + 1) // 2):
+        word = words[np.uint64(draw), np.uint64(k)]
+        new_y, new_x = _random_place(word, largest_radius >> draw, y, x, bounds)
+        prefetch(records, origin + new_y * stride + new_x * unit)
 
 
 @cache
@@ -111,6 +145,7 @@ def make_search(rows: int, pixels: int, lanes: int) -> Callable[..., None]:
         step, margin, labels, moving = grid.step, grid.margin, grid.labels, grid.moving
         first_y, last_y = first_centre(source.height, margin), last_centre(source.height, margin)
         first_x, last_x = first_centre(source.width, margin), last_centre(source.width, margin)
+        bounds = first_y, last_y, first_x, last_x
         pixels_of, stride, source_labels = source.values, source.stride * unit, grid.source_labels
         origin = (source.border - reach) * (source.stride + 1) * unit
         target_origin = (style.border - reach) * (style.stride + 1)
@@ -146,6 +181,12 @@ def make_search(rows: int, pixels: int, lanes: int) -> Callable[..., None]:
                 best = np.int64(ssd(pixels_of, at, stride, patch, 0, weights))
                 if label != FREE and source_labels[np.uint64(y), np.uint64(x)] != label:
                     best = np.int64(WORST)
+                # Records are short and far apart, so the search waits for memory.
+                if not is_patch and b + 2 < width:
+                    _ask_for_records(
+                        pixels_of, origin, stride, unit, nnf, a, b + 2, step,
+                        words, k + 1, draws, largest_radius, bounds,
+                    )  # fmt: skip
                 middle_y, middle_x = y, x
                 for trial in range(4 + draws):
                     if trial < 4:
@@ -153,16 +194,16 @@ def make_search(rows: int, pixels: int, lanes: int) -> Callable[..., None]:
                         if na < 0 or na >= height or nb < 0 or nb >= width:
                             continue
                         entry = nnf[np.uint64(na), np.uint64(nb)]
-                        new_y = min(max(row_of(entry) + (a - na) * step, first_y), last_y)
-                        new_x = min(max(column_of(entry) + (b - nb) * step, first_x), last_x)
+                        new_y, new_x = _place_beside(
+                            entry, (a - na) * step, (b - nb) * step, bounds
+                        )
                     else:
                         if trial == 4:
                             middle_y, middle_x = y, x
-                            # Records are short and far apart, so the search waits for memory.
                             for draw in range(0 if is_patch else draws):
                                 new_y, new_x = _random_place(
                                     words[np.uint64(draw), np.uint64(k)], largest_radius >> draw,
-                                    y, x, first_y, last_y, first_x, last_x,
+                                    y, x, bounds,
                                 )  # fmt: skip
                                 places[np.uint64(draw), 0] = new_y
                                 places[np.uint64(draw), 1] = new_x
@@ -171,7 +212,7 @@ def make_search(rows: int, pixels: int, lanes: int) -> Callable[..., None]:
                         if is_patch:
                             new_y, new_x = _random_place(
                                 words[draw, np.uint64(k)], largest_radius >> (trial - 4),
-                                middle_y, middle_x, first_y, last_y, first_x, last_x,
+                                middle_y, middle_x, bounds,
                             )  # fmt: skip
                         else:
                             new_y, new_x = places[draw, 0], places[draw, 1]
