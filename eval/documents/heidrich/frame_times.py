@@ -37,6 +37,11 @@ class FrameTimes(OnProcessor):
     cost = 10.0
 
     @property
+    def code(self):
+        """Digest of this file and of the methods, which it does not import."""
+        return " ".join([super().code, *(method.code for method in self.methods)])
+
+    @property
     def alone(self):
         """Whether nothing else may run: frames on all threads are timed by the clock."""
         return self.on_all

@@ -13,10 +13,11 @@ from eval.documents.heidrich import stage
 from eval.documents.heidrich.beside import SEEDS, Beside
 from eval.documents.heidrich.busy import BesideOthers
 from eval.documents.heidrich.faults import DENSE, FAULTS, VARIANTS, Faults
+from eval.documents.heidrich.frame_times import FrameTimes
 from eval.documents.heidrich.house import BUFFERS, SKETCH, SOURCE, TARGET, Components, house
 from eval.documents.heidrich.outlook import Hybrid
 from eval.documents.heidrich.prototype import InTurns, Prototype, prototype_of
-from eval.methods.realtime import Frames
+from eval.methods.realtime import Frames, Realtime
 from eval.metrics import METRICS, NUMBERS
 from eval.pages.page import new_report
 from eval.runs.busy_programs import spinning_processes
@@ -196,3 +197,14 @@ def test_faults_are_measured_and_shown(tmp_path, monkeypatch):
     assert table["method"].tolist() == 2 * [*few, DENSE]
     assert not table.drop(columns="ms").isna().any(axis=None)
     assert (table["ms"] > 0).sum() == 2 * len(few)
+
+
+def test_times_depend_on_the_code_of_the_methods_that_are_timed():
+    class Other(Realtime):
+        code = "edited"
+
+    def code_with(method):
+        return FrameTimes("times", (method,), 1).code
+
+    assert code_with(Realtime("a")) == code_with(Realtime("b"))
+    assert code_with(Realtime("a")) != code_with(Other("a"))
