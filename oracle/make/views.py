@@ -59,6 +59,8 @@ def _weights():
         ("plain_form", {"form": "plain"}),
         ("with_spread", {"spread": True}),
         ("plain_form_with_spread", {"form": "plain", "spread": True, "neighbours": 4}),
+        ("grey_with_spread", {"form": "plain", "spread": True, "style_channels": 1}),
+        ("four_channels_with_spread", {"form": "plain", "spread": True, "style_channels": 4}),
         ("least", {"form": "plain", "coherence": 1 / 256, "neighbours": 1}),
         ("nought", {"form": "plain", "coherence": 0.00195}),
         ("largest", {"form": "plain", "coherence": 64.0, "neighbours": 4, "spread": True}),

