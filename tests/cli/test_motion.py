@@ -1,5 +1,7 @@
 """``stylit-ref motion check``, and the shot that Blender rendered, end to end."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from cli.calls import QUICK, refused
@@ -11,6 +13,8 @@ from stylit_ref import motion_between, read_motion, read_uint8, write_image
 from stylit_ref.cli import main
 from stylit_ref.files.motion_flo import write_flo
 from stylit_ref.views.motion.places import fetched, places_in_other
+
+SINTEL = Path(__file__).parents[2].parent / "shared/data/sintel"
 
 
 def check(*words):
@@ -43,6 +47,15 @@ def test_blender_is_named(capsys):
     assert lines[0].split()[1] == "blender"
     assert still.endswith("  without motion")
     assert last.startswith("blender explains the pictures")
+
+
+@pytest.mark.skipif(not SINTEL.is_dir(), reason=f"no frames of MPI Sintel in {SINTEL}")
+def test_sintels_flow_is_named(capsys):
+    frames = [word for n in (2, 3) for word in ("--guide", SINTEL / f"frame_000{n}.png")]
+    assert check(*frames, "--motion", SINTEL / "gt_frame_0002.flo") == 0
+    first, *_, last = capsys.readouterr().out.splitlines()
+    assert first.split()[1] == "flo"
+    assert last.startswith("flo explains the pictures")
 
 
 @pytest.mark.parametrize(("name", "code"), [("blender", 0), ("blender-flip-y", 2), ("flo", 2)])
