@@ -14,7 +14,7 @@ from stylit_ref.cli import main
 from stylit_ref.files.motion_flo import write_flo
 from stylit_ref.views.motion.places import fetched, places_in_other
 
-SINTEL = Path(__file__).parents[2].parent / "shared/data/sintel"
+SINTEL = Path(__file__).parents[3] / "shared/data/sintel"
 
 
 def check(*words):

@@ -6,11 +6,11 @@ shifted to this frame. Together with the style term that is, for every colour va
     |A' - B'|² + Σ λ_c |A' - G_c|²  =  (1 + Σ λ_c) (|A' - M|² + S)
 
     M  =  (B' + Σ λ_c G_c) / (1 + Σ λ_c)
-    S  =  (B'² + Σ λ_c G_c²) / (1 + Σ λ_c) - M²      (summed over the colour's channels)
+    S  =  (B'² + Σ λ_c G_c²) / (1 + Σ λ_c) - M²
 
 So the search needs no new channels: it sees M in the place of B'. S does not depend on p: it is the
 spread of B' and the G_c around their mean. It matters only where target patches are chosen, as
-StyLit's retrieval does.
+StyLit's retrieval does; there a pixel has that of all its channels together.
 
 λ_c are multiples of 1/256 and sums are integers, so that M is exact but for its rounding to 8 bits.
 """
