@@ -43,13 +43,15 @@ def make_patch_ssd(rows: int, length: int) -> Callable[..., int]:
     -------
     intrinsic
         Called with C-contiguous (n,) uint8 pixels, the offset of a first pixel and the bytes from
-        row to row; a widened patch (int16) and the offset of its first row; (length,) int16 weights
-        of at most 128. Returns the int32 sum of ``weight * (a - patch)**2``.
+        row to row; a widened patch (int16) and the offset of its first row; weights of at most 128:
+        (length,) int16 of a row, or (length / 2,) int32 of its pairs of neighbours, which saves a
+        fifth of the arithmetic. Returns the int32 sum of ``weight * (a - patch)**2``.
     """
 
     @intrinsic
     def ssd(typing, a, offset, stride, patch, patch_offset, weights):
         signature = types.int32(a, types.int64, types.int64, patch, types.int64, weights)
+        of_pairs = weights.dtype == types.int32
 
         def codegen(context, builder, signature, args):
             row_a = builder.gep(data_of(context, builder, signature, args, 0), [args[1]])
@@ -58,18 +60,25 @@ def make_patch_ssd(rows: int, length: int) -> Callable[..., int]:
             sums = {}
             for row in range(rows):
                 for start, count in _vectors(length):
-                    wide = ir.VectorType(_I16, count)
                     difference = builder.sub(
-                        builder.zext(load(builder, row_a, start, _I8, count), wide),
+                        builder.zext(
+                            load(builder, row_a, start, _I8, count), ir.VectorType(_I16, count)
+                        ),
                         load(builder, row_b, start, _I16, count),
                     )
-                    weight = load(builder, weighed, start, _I16, count)
-                    pairs = _pair_sums(builder, difference, builder.mul(difference, weight))
-                    sums[count] = builder.add(sums[count], pairs) if count in sums else pairs
+                    other = difference
+                    if not of_pairs:
+                        other = builder.mul(difference, load(builder, weighed, start, _I16, count))
+                    pairs = _pair_sums(builder, difference, other)
+                    sums[start] = builder.add(sums[start], pairs) if start in sums else pairs
                 if row + 1 < rows:
                     row_a = builder.gep(row_a, [args[2]])
                     row_b = builder.gep(row_b, [_I64(length)])
-            return _sum_all(builder, sums)
+            if of_pairs:
+                for start, pairs in sums.items():
+                    weight = load(builder, weighed, start // 2, _I32, pairs.type.count)
+                    sums[start] = builder.mul(pairs, weight)
+            return _sum_all(builder, sums.values())
 
         return signature, codegen
 
@@ -248,20 +257,29 @@ def shuffled(builder: Any, a: Any, b: Any, lanes: list[int]) -> Any:
     return builder.shuffle_vector(a, b, ir.Constant(ir.VectorType(_I32, len(lanes)), lanes))
 
 
-def _sum_all(builder, sums):
-    """The sum of all elements of vectors of 8 and of 16 pair sums, by their number of lanes."""
-    if not sums:
+def _sum_all(builder, vectors):
+    """The sum of all elements of vectors of 8 and of 16 pair sums."""
+    total = None
+    for vector in sorted(vectors, key=lambda vector: -vector.type.count):
+        if total is not None and total.type.count > vector.type.count:
+            total = _folded(builder, total)
+        total = vector if total is None else builder.add(total, vector)
+    if total is None:
         return _I32(0)
-    pairs = sums.get(16)
-    if 32 in sums:
-        halves = (list(range(first, first + 8)) for first in (0, 8))
-        low, high = (shuffled(builder, sums[32], sums[32], half) for half in halves)
-        folded = builder.add(low, high)
-        pairs = folded if pairs is None else builder.add(pairs, folded)
+    if total.type.count > 8:
+        total = _folded(builder, total)
     reduce_add = cgutils.get_or_insert_function(
-        builder.module, ir.FunctionType(_I32, [pairs.type]), "llvm.vector.reduce.add.v8i32"
+        builder.module, ir.FunctionType(_I32, [total.type]), "llvm.vector.reduce.add.v8i32"
     )
-    return builder.call(reduce_add, [pairs])
+    return builder.call(reduce_add, [total])
+
+
+def _folded(builder, vector):
+    """The sum of the two halves of a vector of 16."""
+    low, high = (
+        shuffled(builder, vector, vector, list(range(first, first + 8))) for first in (0, 8)
+    )
+    return builder.add(low, high)
 
 
 def _pair_sums(builder, a, b):

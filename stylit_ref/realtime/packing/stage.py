@@ -22,6 +22,7 @@ import numpy as np
 from numba import njit, prange
 from numpy.typing import NDArray
 
+from stylit_ref.machine.inlined import inlined
 from stylit_ref.machine.kernel import kernel
 from stylit_ref.machine.unaligned import make_load, make_store
 from stylit_ref.realtime.packing.buffers import check_buffers, check_out
@@ -94,25 +95,35 @@ def _two(plane, at, channels):
     return _load_8(plane, at) * _U(257)
 
 
+@inlined
+def _pack_row(y, f, d, i, s, n, full, lde, ldde, lse, idmask, fresnel, lightmask, out, labels):
+    """Pack a row of buffers of ``f``, ``d``, ``i``, ``s`` and ``n`` channels."""
+    width = out.shape[1]
+    row_bytes, pixel_bytes = out.strides[:2]
+    to = y * row_bytes
+    for at in range(y * width, (y + 1) * width):
+        highlight = _load_8(lightmask, 3 * at) >> _U(7)
+        shadow = _load_8(lightmask, 3 * at + 2) >> _U(7)
+        label = stage_label(_load_8(idmask, 3 * at) >> _U(7), shadow)
+        # Few wide stores: ten of a byte each take twice as long.
+        light = _two(full, f * at, f) | (_two(lde, d * at, d) << _U(16))
+        light |= (_two(ldde, i * at, i) << _U(32)) | (_load_8(lse, s * at) << _U(48))
+        identity = (label << _U(7)) - (label >> _U(1))
+        _store_64(out, to, light | (identity << _U(56)))
+        lit = highlight * _U(127) + (highlight | (shadow ^ _U(1))) * _U(128)
+        _store_16(out, to + 8, _load_8(fresnel, n * at) | (lit << _U(8)))
+        if labels.size:
+            _store_8(labels, at, label)
+        to += pixel_bytes
+
+
 @kernel()
 def _pack_stage(full, lde, ldde, lse, idmask, fresnel, lightmask, out, labels):
-    height, width = out.shape[:2]
-    row_bytes, pixel_bytes = out.strides[:2]
     f, d, i, s, n = full.shape[2], lde.shape[2], ldde.shape[2], lse.shape[2], fresnel.shape[2]
-    for y in prange(height):
-        first = y * width
-        to = y * row_bytes
-        for at in range(first, first + width):
-            highlight = _load_8(lightmask, 3 * at) >> _U(7)
-            shadow = _load_8(lightmask, 3 * at + 2) >> _U(7)
-            label = stage_label(_load_8(idmask, 3 * at) >> _U(7), shadow)
-            # Few wide stores: ten of a byte each take twice as long.
-            light = _two(full, f * at, f) | (_two(lde, d * at, d) << _U(16))
-            light |= (_two(ldde, i * at, i) << _U(32)) | (_load_8(lse, s * at) << _U(48))
-            identity = (label << _U(7)) - (label >> _U(1))
-            _store_64(out, to, light | (identity << _U(56)))
-            lit = highlight * _U(127) + (highlight | (shadow ^ _U(1))) * _U(128)
-            _store_16(out, to + 8, _load_8(fresnel, n * at) | (lit << _U(8)))
-            if labels.size:
-                _store_8(labels, at, label)
-            to += pixel_bytes
+    planes = full, lde, ldde, lse, idmask, fresnel, lightmask
+    coloured = f == 3 and d == 3 and i == 3 and s == 3
+    for y in prange(out.shape[0]):
+        if coloured:  # the usual case, faster with constants
+            _pack_row(np.int64(y), 3, 3, 3, 3, n, *planes, out, labels)
+        else:
+            _pack_row(np.int64(y), f, d, i, s, n, *planes, out, labels)

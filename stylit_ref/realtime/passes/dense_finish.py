@@ -49,7 +49,7 @@ def make_dense_nnf(width: int, step: int, lanes: int) -> Callable[..., None]:
         source: Image,
         guides: Image,
         style: Image,
-        weights: NDArray[np.int16],
+        weights: NDArray[np.int16 | np.int32],
         labels: NDArray[np.uint8],
         source_labels: NDArray[np.uint8],
         out: NDArray[np.int32],

@@ -57,7 +57,7 @@ def make_renew(rows: int, pixels: int, lanes: int) -> Callable[..., None]:
         source: Image,
         guides: Image,
         style: Image,
-        weights: NDArray[np.int16],
+        weights: NDArray[np.int16 | np.int32],
         grid: Grid,
         height: int,
         width: int,

@@ -115,7 +115,7 @@ def make_search(rows: int, pixels: int, lanes: int) -> Callable[..., None]:
     - ``nnf``, (rows, columns) int32, changed in place: entries of one half read those of the other;
     - ``source``, an image of both guides and style, or of the style alone if ``lanes`` is 4;
     - ``guides`` and ``style``, images of the target of one geometry;
-    - ``weights``, int16, of a row of a patch;
+    - ``weights`` of a row of a patch, int16, or int32 of its pairs of bytes;
     - ``grid``, a :class:`Grid`;
     - ``stream`` of random numbers, ``parity`` of the half, ``largest_radius``;
     - ``stop``, (1,) uint8; once it is not 0, no further row is searched.
@@ -134,7 +134,7 @@ def make_search(rows: int, pixels: int, lanes: int) -> Callable[..., None]:
         source: Image,
         guides: Image,
         style: Image,
-        weights: NDArray[np.int16],
+        weights: NDArray[np.int16 | np.int32],
         grid: Grid,
         stream: tuple[int, int, int, int],
         parity: int,
