@@ -19,7 +19,7 @@ from gpu_cuda.realtime.formulae import (
 )
 from gpu_cuda.realtime.image import BYTES, IMAGE
 from gpu_cuda.realtime.labels import LABELS
-from gpu_cuda.realtime.search import WEIGHTS, make_energy, weights_of_bytes
+from gpu_cuda.realtime.search import WEIGHTS, make_energy
 from stylit_ref.machine.vector_patch import STYLE_LANES
 from stylit_ref.realtime.passes.search import WORST
 
@@ -98,8 +98,7 @@ def make_dense_nnf(width, step, lanes):
 
     def dense_nnf(nnf, source, guides, style, weights, labels, source_labels, out, stop):
         launch(
-            kernel, out.shape, nnf, source, guides, style, weights_of_bytes(weights), labels,
-            source_labels, out, stop,
+            kernel, out.shape, nnf, source, guides, style, weights, labels, source_labels, out, stop
         )  # fmt: skip
 
     return dense_nnf

@@ -18,7 +18,7 @@ from gpu_cuda.realtime.formulae import (
     row_of,
 )
 from gpu_cuda.realtime.image import IMAGE
-from gpu_cuda.realtime.search import GRID, WEIGHTS, make_energy, weights_of_bytes
+from gpu_cuda.realtime.search import GRID, WEIGHTS, make_energy
 from stylit_ref.machine.vector_patch import STYLE_LANES
 from stylit_ref.realtime.passes.search import FREE
 
@@ -109,8 +109,8 @@ def make_renew(rows, pixels, lanes):
 
     def renew(nnf, fresh, level, source, guides, style, weights, grid, height, width, fine_grid):
         launch(
-            kernel, fresh.shape, nnf, fresh, level, source, guides, style,
-            weights_of_bytes(weights), grid, height, width, fine_grid,
+            kernel, fresh.shape, nnf, fresh, level, source, guides, style, weights, grid, height,
+            width, fine_grid,
         )  # fmt: skip
 
     return renew

@@ -27,11 +27,6 @@ GRID = types.NamedTuple((INT, INT, INT, ENTRIES, LABELS, MOVING), Grid)
 WEIGHTS = types.int16[::1]
 
 
-def weights_of_bytes(weights):
-    """Weights of bytes as they are, (n,) int16; of those of pairs, (n / 2,) int32, each twice."""
-    return np.repeat(weights, 2).astype(np.int16) if weights.dtype == np.int32 else weights
-
-
 @lru_cache
 def make_energy(rows, pixels, lanes):
     """The weighted sum of squared differences of two patches, the second in two images."""
@@ -156,8 +151,8 @@ def make_search(rows, pixels, lanes):
     ):  # fmt: skip
         height, width = nnf.shape
         launch(
-            kernel, (height, (width + 1) // 2), nnf, source, guides, style,
-            weights_of_bytes(weights), grid, stream, parity, largest_radius, stop,
+            kernel, (height, (width + 1) // 2), nnf, source, guides, style, weights, grid, stream,
+            parity, largest_radius, stop,
         )  # fmt: skip
 
     return search

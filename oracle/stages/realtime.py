@@ -14,7 +14,7 @@ from oracle.stages.stage import Stage
 from stylit_ref.machine.vector_patch import STYLE_LANES
 from stylit_ref.randomness.random_stream import REALTIME_NNF, REALTIME_SEARCH, random_stream
 from stylit_ref.realtime.exemplar import Exemplar
-from stylit_ref.realtime.formulae.feature_distance import lane_weights, term_weights
+from stylit_ref.realtime.formulae.feature_distance import term_weights
 from stylit_ref.realtime.formulae.packed_nnf import entries_of, places_of
 from stylit_ref.realtime.layout import Layout
 from stylit_ref.realtime.packing import PrincipalPacking, StagePacking, UnpackedStage, pack
@@ -119,8 +119,7 @@ def _energy(passes, parameters, arrays):
     guides, style, spacing = level.target.read_at(0, layout)
     shape, lanes = layout.patch_shape, layout.lanes_read(0)
     source = level.exemplar.read_at(0, layout)
-    params = layout.params
-    weights = lane_weights(params.mu_at(0), level.refinement.weights, params.terms, lanes)
+    weights = level.refinement.by_level[0][: shape[1] * lanes].reshape(shape[1], lanes)
     energy = np.empty(level.target.grids[0], np.int32)
     for entry in np.ndindex(energy.shape):
         at = entry[0] * spacing, entry[1] * spacing

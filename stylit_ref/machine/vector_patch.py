@@ -10,10 +10,14 @@ compile for any processor.
 from collections.abc import Callable
 from typing import Any
 
+import numpy as np
 from llvmlite import ir
 from numba import types
 from numba.core import cgutils
 from numba.extending import intrinsic
+from numpy.typing import NDArray
+
+from stylit_ref.machine.inlined import inlined
 
 SLACK = 64
 """Spare bytes at the end of every array that vectors are loaded from."""
@@ -29,8 +33,17 @@ def row_lanes(pixels: int, lanes: int) -> int:
     return -(-pixels * lanes // 16) * 16
 
 
+@inlined
+def alike_in_pairs(weights: NDArray[np.int16]) -> bool:
+    """Whether each weight of even number equals the one after it."""
+    alike = True
+    for pair in range(np.uint64(weights.size // 2)):
+        alike &= weights[np.uint64(2) * pair] == weights[np.uint64(2) * pair + np.uint64(1)]
+    return alike
+
+
 def make_patch_ssd(rows: int, length: int) -> Callable[..., int]:
-    """Build ``ssd(a, offset, stride, patch, patch_offset, weights)``.
+    """Build ``ssd(a, offset, stride, patch, patch_offset, weights, alike)``.
 
     Parameters
     ----------
@@ -43,42 +56,57 @@ def make_patch_ssd(rows: int, length: int) -> Callable[..., int]:
     -------
     intrinsic
         Called with C-contiguous (n,) uint8 pixels, the offset of a first pixel and the bytes from
-        row to row; a widened patch (int16) and the offset of its first row; weights of at most 128:
-        (length,) int16 of a row, or (length / 2,) int32 of its pairs of neighbours, which saves a
-        fifth of the arithmetic. Returns the int32 sum of ``weight * (a - patch)**2``.
+        row to row; a widened patch (int16) and the offset of its first row; (length,) int16 weights
+        of at most 128, and :func:`alike_in_pairs` of them. Returns the int32 sum of
+        ``weight * (a - patch)**2``.
     """
 
+    def codegen_sum(context, builder, signature, args, alike):
+        row_a = builder.gep(data_of(context, builder, signature, args, 0), [args[1]])
+        row_b = builder.gep(data_of(context, builder, signature, args, 3), [args[4]])
+        weighed = data_of(context, builder, signature, args, 5)
+        sums = {}
+        for row in range(rows):
+            for start, count in _vectors(length):
+                wide = ir.VectorType(_I16, count)
+                difference = builder.sub(
+                    builder.zext(load(builder, row_a, start, _I8, count), wide),
+                    load(builder, row_b, start, _I16, count),
+                )
+                other = difference
+                if not alike:
+                    other = builder.mul(difference, load(builder, weighed, start, _I16, count))
+                pairs = _pair_sums(builder, difference, other)
+                key = start if alike else count
+                sums[key] = builder.add(sums[key], pairs) if key in sums else pairs
+            if row + 1 < rows:
+                row_a = builder.gep(row_a, [args[2]])
+                row_b = builder.gep(row_b, [_I64(length)])
+        if alike:
+            for start, pairs in sums.items():
+                even = list(range(0, 2 * pairs.type.count, 2))
+                weight = load(builder, weighed, start, _I16, len(even) * 2)
+                weight = builder.zext(shuffled(builder, weight, weight, even), pairs.type)
+                sums[start] = builder.mul(pairs, weight)
+        return _sum_all(builder, sums.values())
+
     @intrinsic
-    def ssd(typing, a, offset, stride, patch, patch_offset, weights):
-        signature = types.int32(a, types.int64, types.int64, patch, types.int64, weights)
-        of_pairs = weights.dtype == types.int32
+    def ssd(typing, a, offset, stride, patch, patch_offset, weights, alike):
+        signature = types.int32(
+            a, types.int64, types.int64, patch, types.int64, weights, types.boolean
+        )
 
         def codegen(context, builder, signature, args):
-            row_a = builder.gep(data_of(context, builder, signature, args, 0), [args[1]])
-            row_b = builder.gep(data_of(context, builder, signature, args, 3), [args[4]])
-            weighed = data_of(context, builder, signature, args, 5)
-            sums = {}
-            for row in range(rows):
-                for start, count in _vectors(length):
-                    difference = builder.sub(
-                        builder.zext(
-                            load(builder, row_a, start, _I8, count), ir.VectorType(_I16, count)
-                        ),
-                        load(builder, row_b, start, _I16, count),
-                    )
-                    other = difference
-                    if not of_pairs:
-                        other = builder.mul(difference, load(builder, weighed, start, _I16, count))
-                    pairs = _pair_sums(builder, difference, other)
-                    sums[start] = builder.add(sums[start], pairs) if start in sums else pairs
-                if row + 1 < rows:
-                    row_a = builder.gep(row_a, [args[2]])
-                    row_b = builder.gep(row_b, [_I64(length)])
-            if of_pairs:
-                for start, pairs in sums.items():
-                    weight = load(builder, weighed, start // 2, _I32, pairs.type.count)
-                    sums[start] = builder.mul(pairs, weight)
-            return _sum_all(builder, sums.values())
+            if rows < 2:
+                return codegen_sum(context, builder, signature, args, False)
+            # Multiplying by weights is a fifth of the work, so whole columns are weighed if pairs
+            # of bytes allow it.
+            total = cgutils.alloca_once(builder, _I32)
+            with builder.if_else(args[6]) as branches:
+                for branch, alike in zip(branches, (True, False), strict=True):
+                    with branch:
+                        builder.store(codegen_sum(context, builder, signature, args, alike), total)
+            return builder.load(total)
 
         return signature, codegen
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from stylit_ref.machine.vector_patch import STYLE_LANES, row_lanes
 from stylit_ref.randomness.random_stream import REALTIME_NNF, REALTIME_SEARCH, random_stream
 from stylit_ref.realtime.exemplar import Exemplar
-from stylit_ref.realtime.formulae.feature_distance import check_sum, lane_weights, pair_weights
+from stylit_ref.realtime.formulae.feature_distance import alike_where_free, check_sum, lane_weights
 from stylit_ref.realtime.layout import Layout
 from stylit_ref.realtime.passes.moving import ALL
 from stylit_ref.realtime.passes.search import Grid
@@ -26,9 +26,9 @@ class Refinement:
     layout : Layout
     weights : tuple of int
         Of the channels of the guides.
-    by_level : list of (n,) int16 or (n / 2,) int32
-        Of the bytes of a row of a patch; of pairs of them if both always weigh alike.
-    guides_alone : like one of them
+    by_level : list of (n,) int16
+        Of the bytes of a row of a patch.
+    guides_alone : (n,) int16
         The same for μ = 0, at the level from which a warm frame renews matches.
 
     Raises
@@ -39,8 +39,8 @@ class Refinement:
 
     layout: Layout
     weights: tuple[int, ...]
-    by_level: list[NDArray[np.int16 | np.int32]] = field(init=False)
-    guides_alone: NDArray[np.int16 | np.int32] = field(init=False)
+    by_level: list[NDArray[np.int16]] = field(init=False)
+    guides_alone: NDArray[np.int16] = field(init=False)
 
     def __post_init__(self) -> None:
         params = self.layout.params
@@ -54,10 +54,8 @@ class Refinement:
         lanes = layout.lanes_read(level)
         pixel = lane_weights(mu, self.weights, layout.params.terms, lanes)
         check_sum(pixel, rows * pixels)
-        weights = pair_weights(pixel, layout.channels)
-        weights = pixel if weights is None else weights
-        row = np.zeros(row_lanes(pixels, lanes) * len(weights) // lanes, weights.dtype)
-        row[: pixels * len(weights)] = np.tile(weights, pixels)
+        row = np.zeros(row_lanes(pixels, lanes), np.int16)
+        row[: pixels * lanes] = np.tile(alike_where_free(pixel, layout.channels), pixels)
         return row
 
     @property

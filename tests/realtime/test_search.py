@@ -3,17 +3,13 @@
 import numpy as np
 import pytest
 
-from stylit_ref.machine.vector_patch import STYLE_LANES, row_lanes
+from stylit_ref.machine.vector_patch import STYLE_LANES, alike_in_pairs, row_lanes
 from stylit_ref.randomness.random_stream import REALTIME_SEARCH, random_stream, random_words
-from stylit_ref.realtime import passes
-from stylit_ref.realtime.formulae.feature_distance import lane_weights, pair_weights
-from stylit_ref.realtime.layout import Layout
-from stylit_ref.realtime.params import RealtimeParams
+from stylit_ref.realtime.formulae.feature_distance import alike_where_free, lane_weights
 from stylit_ref.realtime.passes import make_extend, make_fill, make_insert_style, make_search
 from stylit_ref.realtime.passes.image import make_image
 from stylit_ref.realtime.passes.moving import ALL
 from stylit_ref.realtime.passes.search import FREE, Grid
-from stylit_ref.realtime.refinement import Refinement
 
 BORDER, STEP = 8, 3
 
@@ -69,9 +65,9 @@ def brute_search(
 
 @pytest.mark.parametrize("width", [3, 5, 7])
 @pytest.mark.parametrize(("channels", "mu"), [(10, 4), (10, 0), (7, 9), (13, 4), (3, 16)])
-@pytest.mark.parametrize("of_pairs", [False, True])
+@pytest.mark.parametrize("alike", [False, True])
 @pytest.mark.parametrize(("parity", "some_move"), [(0, False), (1, False), (0, True), (1, True)])
-def test_against_patches_as_arrays(width, channels, mu, of_pairs, parity, some_move):
+def test_against_patches_as_arrays(width, channels, mu, alike, parity, some_move):
     random = np.random.default_rng(width + mu)
     source, target = (15, 18), (13, 10)
     guides, style, aimed, picture = (
@@ -88,12 +84,14 @@ def test_against_patches_as_arrays(width, channels, mu, of_pairs, parity, some_m
     shown = image_of(picture, STYLE_LANES)
     target_guides = image_of(aimed, lanes) if reads_guides else shown
     guide_weights = tuple(random.integers(0, 3, channels)) if reads_guides else (1,) * channels
-    if of_pairs:
+    if alike:
         guide_weights = tuple(np.repeat(guide_weights[::2], 2)[:channels])
     pixel = lane_weights(mu, guide_weights, "sums", lanes)
-    pixel = pair_weights(pixel, channels) if of_pairs else pixel
-    weights = np.zeros(row_lanes(width, lanes) * len(pixel) // lanes, pixel.dtype)
-    weights[: width * len(pixel)] = np.tile(pixel, width)
+    if alike:
+        pixel = alike_where_free(pixel, channels)
+        assert alike_in_pairs.py_func(pixel)
+    weights = np.zeros(row_lanes(width, lanes), np.int16)
+    weights[: width * lanes] = np.tile(pixel, width)
 
     grid = -(-target[0] // STEP), -(-target[1] // STEP)
     labels = random.integers(-1, 2, grid).astype(np.int16)
@@ -128,23 +126,14 @@ def test_against_patches_as_arrays(width, channels, mu, of_pairs, parity, some_m
     assert np.array_equal(np.stack([packed >> 16, packed & 0xFFFF], -1), expected)
 
 
-def test_the_weights_of_pairs():
-    def pairs(guide_weights, lanes, mu=4):
-        return pair_weights(lane_weights(mu, guide_weights, "sums", lanes), len(guide_weights))
+def test_weights_of_bytes_that_are_always_0():
+    def filled(guide_weights, lanes, mu=4):
+        weights = lane_weights(mu, guide_weights, "sums", lanes)
+        return alike_where_free(weights, len(guide_weights)).tolist()
 
-    assert pairs((1, 1, 2, 2, 3), 12).tolist() == [3, 6, 9, 0, 1, 1]
-    assert pairs((1, 1, 1), 4, mu=16).tolist() == [1, 1]
-    assert pairs((1, 2, 2, 2), 8) is None
-    assert pairs((1, 0), 8) is None
-
-
-def test_weights_are_of_pairs_unless_two_channels_side_by_side_weigh_differently():
-    layout = Layout(RealtimeParams(), 9, passes)
-    alike, unlike = (Refinement(layout, (1,) * 7 + (1, last)) for last in (1, 2))
-    assert {row.dtype for row in alike.by_level} == {np.dtype(np.int32)}
-    assert {row.dtype for row in unlike.by_level} == {np.dtype(np.int32)}  # the ninth has no pair
-    unlike = Refinement(layout, (1,) * 7 + (2, 1))
-    assert {row.dtype for row in unlike.by_level} == {np.dtype(np.int16)}
+    assert filled((1, 1, 2, 2, 3), 12) == [3, 3, 6, 6, 9, 9, 0, 0, 1, 1, 1, 1]
+    assert filled((1, 1, 1), 4, mu=16) == [1, 1, 1, 1]
+    assert filled((1, 2, 0, 2), 8) == [3, 6, 0, 6, 1, 1, 1, 1]
 
 
 def test_a_stopped_search_changes_nothing():

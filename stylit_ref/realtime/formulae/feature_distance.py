@@ -80,29 +80,24 @@ def lane_weights(
     return weights
 
 
-def pair_weights(pixel: NDArray[np.int16], channels: int) -> NDArray[np.int32] | None:
-    """The weight of each pair of neighbouring bytes of a pixel, if both weigh alike.
+def alike_where_free(weights: NDArray[np.int16], channels: int) -> NDArray[np.int16]:
+    """The same energy, with neighbouring weights made alike where a byte is always 0.
 
-    A byte that is always 0 weighs what the one before it does: that behind an odd number of
-    channels, and that behind the style's three colours.
+    Such a byte is behind an odd number of channels, and behind the style's three colours. A search
+    is faster if the weights of bytes are alike in pairs.
 
     Parameters
     ----------
-    pixel : (lanes,) int16
+    weights : (lanes,) int16
         From :func:`lane_weights`.
     channels : int
         Of the guides.
-
-    Returns
-    -------
-    (lanes / 2,) int32, or None if there is a pair of two weights
     """
-    weights = pixel.copy()
+    weights = weights.copy()
     weights[-1] = weights[-2]
     if len(weights) > STYLE_LANES and channels % 2:
         weights[channels] = weights[channels - 1]
-    one, other = weights.reshape(-1, 2).T
-    return one.astype(np.int32) if np.array_equal(one, other) else None
+    return weights
 
 
 def check_sum(weights: NDArray[np.int16], pixels: int) -> None:

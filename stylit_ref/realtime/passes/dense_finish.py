@@ -9,7 +9,13 @@ from numpy.typing import NDArray
 
 from stylit_ref.machine.inlined import inlined
 from stylit_ref.machine.kernel import kernel
-from stylit_ref.machine.vector_patch import STYLE_LANES, make_patch_ssd, make_widen, row_lanes
+from stylit_ref.machine.vector_patch import (
+    STYLE_LANES,
+    alike_in_pairs,
+    make_patch_ssd,
+    make_widen,
+    row_lanes,
+)
 from stylit_ref.realtime.formulae.average import mean_of
 from stylit_ref.realtime.formulae.grid import covering_entries, first_centre, last_centre
 from stylit_ref.realtime.formulae.packed_nnf import column_of, packed, row_of
@@ -49,7 +55,7 @@ def make_dense_nnf(width: int, step: int, lanes: int) -> Callable[..., None]:
         source: Image,
         guides: Image,
         style: Image,
-        weights: NDArray[np.int16 | np.int32],
+        weights: NDArray[np.int16],
         labels: NDArray[np.uint8],
         source_labels: NDArray[np.uint8],
         out: NDArray[np.int32],
@@ -61,6 +67,7 @@ def make_dense_nnf(width: int, step: int, lanes: int) -> Callable[..., None]:
         stride, values = source.stride * lanes, source.values
         origin = (source.border - radius) * (source.stride + 1) * lanes
         target_origin = (style.border - radius) * (style.stride + 1)
+        alike = alike_in_pairs(weights)
         for row in prange(out.shape[0]):
             if stop[0]:
                 continue
@@ -89,11 +96,11 @@ def make_dense_nnf(width: int, step: int, lanes: int) -> Callable[..., None]:
                                 style.values, at * STYLE_LANES, style.stride * STYLE_LANES,
                             )  # fmt: skip
                             at = origin + best_y * stride + best_x * lanes
-                            best = np.int64(ssd(values, at, stride, patch, 0, weights))
+                            best = np.int64(ssd(values, at, stride, patch, 0, weights, alike))
                             if _forbids(labels, source_labels, y, x, best_y, best_x):
                                 best = np.int64(2**31 - 1)
                         at = origin + new_y * stride + new_x * lanes
-                        found = np.int64(ssd(values, at, stride, patch, 0, weights))
+                        found = np.int64(ssd(values, at, stride, patch, 0, weights, alike))
                         if found < best:
                             best, best_y, best_x = found, new_y, new_x
                 out[np.uint64(y), np.uint64(x)] = packed(best_y, best_x)

@@ -9,7 +9,13 @@ from numpy.typing import NDArray
 
 from stylit_ref.machine.inlined import inlined
 from stylit_ref.machine.kernel import kernel
-from stylit_ref.machine.vector_patch import STYLE_LANES, make_patch_ssd, make_widen, row_lanes
+from stylit_ref.machine.vector_patch import (
+    STYLE_LANES,
+    alike_in_pairs,
+    make_patch_ssd,
+    make_widen,
+    row_lanes,
+)
 from stylit_ref.realtime.formulae.grid import first_centre, last_centre
 from stylit_ref.realtime.formulae.packed_nnf import column_of, packed, row_of
 from stylit_ref.realtime.formulae.renewal import coarse, fine, is_old
@@ -57,7 +63,7 @@ def make_renew(rows: int, pixels: int, lanes: int) -> Callable[..., None]:
         source: Image,
         guides: Image,
         style: Image,
-        weights: NDArray[np.int16 | np.int32],
+        weights: NDArray[np.int16],
         grid: Grid,
         height: int,
         width: int,
@@ -71,6 +77,7 @@ def make_renew(rows: int, pixels: int, lanes: int) -> Callable[..., None]:
         stride, target_stride = source.stride * unit, style.stride
         origin = (source.border - reach) * (source.stride + 1) * unit
         target_origin = (style.border - reach) * (style.stride + 1)
+        alike = alike_in_pairs(weights)
         for row in prange(fresh.shape[0]):
             a = np.int64(row)
             patch = np.empty(rows * length, np.int16)
@@ -85,9 +92,9 @@ def make_renew(rows: int, pixels: int, lanes: int) -> Callable[..., None]:
                 own_x = min(max(coarse(column_of(entry), level), first_x), last_x)
                 y, x = row_of(fresh[a, b]), column_of(fresh[a, b])
                 at = origin + own_y * stride + own_x * unit
-                own = np.int64(ssd(source.values, at, stride, patch, 0, weights))
+                own = np.int64(ssd(source.values, at, stride, patch, 0, weights, alike))
                 at = origin + y * stride + x * unit
-                new = np.int64(ssd(source.values, at, stride, patch, 0, weights))
+                new = np.int64(ssd(source.values, at, stride, patch, 0, weights, alike))
                 label = _label(grid.labels, a, b)
                 old = is_old(own, new) or not _is_allowed(label, grid.source_labels, own_y, own_x)
                 for i in range(a << level, min((a + 1) << level, nnf.shape[0])):

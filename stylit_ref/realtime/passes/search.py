@@ -11,7 +11,13 @@ from numpy.typing import NDArray
 from stylit_ref.machine.inlined import inlined
 from stylit_ref.machine.kernel import kernel
 from stylit_ref.machine.prefetch import prefetch
-from stylit_ref.machine.vector_patch import STYLE_LANES, make_patch_ssd, make_widen, row_lanes
+from stylit_ref.machine.vector_patch import (
+    STYLE_LANES,
+    alike_in_pairs,
+    make_patch_ssd,
+    make_widen,
+    row_lanes,
+)
 from stylit_ref.randomness.random_stream import random_words
 from stylit_ref.realtime.formulae.grid import first_centre, last_centre
 from stylit_ref.realtime.formulae.packed_nnf import column_of, packed, row_of
@@ -115,7 +121,7 @@ def make_search(rows: int, pixels: int, lanes: int) -> Callable[..., None]:
     - ``nnf``, (rows, columns) int32, changed in place: entries of one half read those of the other;
     - ``source``, an image of both guides and style, or of the style alone if ``lanes`` is 4;
     - ``guides`` and ``style``, images of the target of one geometry;
-    - ``weights`` of a row of a patch, int16, or int32 of its pairs of bytes;
+    - ``weights``, int16, of a row of a patch;
     - ``grid``, a :class:`Grid`;
     - ``stream`` of random numbers, ``parity`` of the half, ``largest_radius``;
     - ``stop``, (1,) uint8; once it is not 0, no further row is searched.
@@ -134,7 +140,7 @@ def make_search(rows: int, pixels: int, lanes: int) -> Callable[..., None]:
         source: Image,
         guides: Image,
         style: Image,
-        weights: NDArray[np.int16 | np.int32],
+        weights: NDArray[np.int16],
         grid: Grid,
         stream: tuple[int, int, int, int],
         parity: int,
@@ -152,6 +158,7 @@ def make_search(rows: int, pixels: int, lanes: int) -> Callable[..., None]:
         draws = 0
         while largest_radius >> draws > 0:
             draws += 1
+        alike = alike_in_pairs(weights)
         for row in prange(height):
             a = np.int64(row)
             if stop[0] or (moving.size and not any_moves(moving, a)):
@@ -178,7 +185,7 @@ def make_search(rows: int, pixels: int, lanes: int) -> Callable[..., None]:
                 entry = nnf[np.uint64(a), np.uint64(b)]
                 y, x = row_of(entry), column_of(entry)
                 at = origin + y * stride + x * unit
-                best = np.int64(ssd(pixels_of, at, stride, patch, 0, weights))
+                best = np.int64(ssd(pixels_of, at, stride, patch, 0, weights, alike))
                 if label != FREE and source_labels[np.uint64(y), np.uint64(x)] != label:
                     best = np.int64(WORST)
                 # Records are short and far apart, so the search waits for memory.
@@ -222,7 +229,7 @@ def make_search(rows: int, pixels: int, lanes: int) -> Callable[..., None]:
                         continue
                     # No early exit: near the best match all rows are needed, and a test costs more.
                     at = origin + new_y * stride + new_x * unit
-                    found = np.int64(ssd(pixels_of, at, stride, patch, 0, weights))
+                    found = np.int64(ssd(pixels_of, at, stride, patch, 0, weights, alike))
                     if found < best:
                         best, y, x = found, new_y, new_x
                 nnf[np.uint64(a), np.uint64(b)] = packed(y, x)

@@ -8,7 +8,13 @@ from numba import prange
 from numpy.typing import NDArray
 
 from stylit_ref.machine.kernel import kernel
-from stylit_ref.machine.vector_patch import STYLE_LANES, make_patch_ssd, make_widen, row_lanes
+from stylit_ref.machine.vector_patch import (
+    STYLE_LANES,
+    alike_in_pairs,
+    make_patch_ssd,
+    make_widen,
+    row_lanes,
+)
 from stylit_ref.realtime.formulae.packed_nnf import column_of, row_of
 from stylit_ref.realtime.passes.image import Image
 
@@ -44,6 +50,7 @@ def make_limited_search(width: int) -> Callable[..., None]:
         origin = (style.border - radius) * (style.stride + 1) * STYLE_LANES
         picture_origin = (picture.border - radius) * (picture.stride + 1)
         picture_stride = picture.stride * STYLE_LANES
+        alike = alike_in_pairs(weights)
         for row in prange(nnf.shape[0]):
             y = np.int64(row)
             patch = np.empty(width * length, np.int16)
@@ -62,9 +69,9 @@ def make_limited_search(width: int) -> Callable[..., None]:
                         )  # fmt: skip
                         at = origin + row_of(best_entry) * stride
                         at += column_of(best_entry) * STYLE_LANES
-                        best = np.int64(ssd(style.values, at, stride, patch, 0, weights))
+                        best = np.int64(ssd(style.values, at, stride, patch, 0, weights, alike))
                     at = origin + row_of(entry) * stride + column_of(entry) * STYLE_LANES
-                    error = np.int64(ssd(style.values, at, stride, patch, 0, weights))
+                    error = np.int64(ssd(style.values, at, stride, patch, 0, weights, alike))
                     if error < best:
                         best, best_entry = error, entry
                 found[np.uint64(y), np.uint64(x)] = best_entry
