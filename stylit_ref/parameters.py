@@ -11,7 +11,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from stylit_ref.errors import InputError, shown
+from stylit_ref.errors import InputError, did_you_mean, shown
 
 SPELLED = {
     "patch_width": "--patch-size",
@@ -167,7 +167,9 @@ class Choice:
         if not isinstance(value, str) or value not in self.names:
             *others, last = map(repr, self.names)
             raise InputError(
-                f"is {shown(value)}; it must be {', '.join(others)} or {last}", parameter=name
+                f"is {shown(value)}; it must be {', '.join(others)} or {last}"
+                f"{did_you_mean(str(value), self.names)}",
+                parameter=name,
             )
         return value
 

@@ -184,7 +184,9 @@ def _all_between(frames: Set[int]) -> list[int]:
 def why_missing(text: str, there: Sequence[int], wanted: Sequence[int]) -> str:
     """The sentence on a pattern that has files ``there``, and not all that are wanted."""
     if not there:
-        return f"{text}: there is no file of such a name"
+        respelled = FramePattern(text).respelled()
+        remedy = f"; there are files of {respelled}" if respelled else ""
+        return f"{text}: there is no file of such a name{remedy}"
     return f"{text}: there is no file for {counted(sorted(set(wanted).difference(there)))}"
 
 

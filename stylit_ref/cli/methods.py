@@ -4,7 +4,7 @@ from collections.abc import Callable
 from dataclasses import fields
 from typing import Any, NamedTuple
 
-from stylit_ref.errors import InputError
+from stylit_ref.errors import InputError, did_you_mean
 from stylit_ref.machine.compilation import Specialization
 from stylit_ref.realtime.params import REALTIME_PRESETS, RealtimeParams
 from stylit_ref.stylization.methods import METHODS, heeded_by
@@ -101,6 +101,8 @@ def offer_of(method: str) -> Offer:
     if method not in OFFERS:
         *others, last = map(repr, OFFERS)
         raise InputError(
-            f"is {method!r}; it must be {', '.join(others)} or {last}", parameter="method"
+            f"is {method!r}; it must be {', '.join(others)} or {last}"
+            f"{did_you_mean(method, OFFERS)}",
+            parameter="method",
         )
     return OFFERS[method]

@@ -1,6 +1,6 @@
 """Files that tell the motion from one frame into another."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence, Set
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import pairwise
@@ -91,8 +91,8 @@ class VectorsOfPairs:
 
     Attributes
     ----------
-    ahead : tuple of str
-        For each step the file that leads along it.
+    ahead : tuple of (str or None)
+        For each step the file that leads along it; None where only one leads back.
     back : tuple of (str or None)
         For each step the file that leads back, if there is one.
     convention : str
@@ -100,7 +100,7 @@ class VectorsOfPairs:
         Of the frames on the way, from 0, as far as there are any.
     """
 
-    ahead: tuple[str, ...]
+    ahead: tuple[str | None, ...]
     back: tuple[str | None, ...]
     convention: str
     depth: Mapping[int, str]
@@ -124,14 +124,14 @@ class VectorsOfPairs:
 
     def digest(self) -> str:
         """A text that changes if the motion does."""
-        leads_back = [path is not None for path in self.back]
+        leads = [[path is not None for path in way] for way in (self.ahead, self.back)]
         frames = [sorted(files) for files in (self.depth, self.ids)]
-        return files_digest(self.files, repr((self.convention, leads_back, frames)))
+        return files_digest(self.files, repr((self.convention, leads, frames)))
 
     @property
     def kinds(self) -> tuple[list[str], ...]:
         """Files of vectors, of depth, and of IDs."""
-        vectors = [*self.ahead, *(path for path in self.back if path is not None)]
+        vectors = [path for path in (*self.ahead, *self.back) if path is not None]
         others = ([files[frame] for frame in sorted(files)] for files in (self.depth, self.ids))
         return vectors, *others
 
@@ -142,11 +142,10 @@ class VectorsOfPairs:
 
     def _vectors(self, frame):
         """Those of a frame on the way, ahead and back."""
-        ahead = back = FrameMotion(None, None)
-        if frame < len(self.ahead):
-            ahead = _one_way(self.ahead[frame], self.convention)
-        if frame > 0 and (path := self.back[frame - 1]) is not None:
-            back = _one_way(path, self.convention)
+        ahead, back = (
+            FrameMotion(None, None) if path is None else _one_way(path, self.convention)
+            for path in ((*self.ahead, None)[frame], (None, *self.back)[frame])
+        )
         return FrameMotion(
             ahead.forward or ahead.backward, back.forward or back.backward, ahead.tells_visible
         )
@@ -162,6 +161,7 @@ def vectors_of_pairs(
     convention: str,
     depth: Mapping[int, str],
     ids: Mapping[int, str],
+    turned: Set[tuple[int, int]] = frozenset(),
 ) -> dict[tuple[int, int], VectorsOfPairs]:
     """The files along ways from frame to frame; one that leads back helps to see what is hidden.
 
@@ -174,6 +174,8 @@ def vectors_of_pairs(
     convention : str
     depth, ids : mappings of int to str
         By frame; empty where there are none.
+    turned : set of (int, int)
+        Steps that only files which lead back tell.
 
     Returns
     -------
@@ -182,13 +184,14 @@ def vectors_of_pairs(
     """
     found = {}
     for pair, way in ways.items():
-        backs = [path_of(after, frame) for frame, after in pairwise(way)]
+        steps = list(pairwise(way))
+        backs = [path_of(after, frame) for frame, after in steps]
         beside = [
             {place: files[frame] for place, frame in enumerate(way) if frame in files}
             for files in (depth, ids)
         ]
         found[pair] = VectorsOfPairs(
-            tuple(path_of(*step) for step in pairwise(way)),
+            tuple(None if step in turned else path_of(*step) for step in steps),
             tuple(back if is_there(back) else None for back in backs),
             convention,
             *beside,

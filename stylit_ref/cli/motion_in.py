@@ -101,22 +101,41 @@ def find_motion(
 def _of_pairs(pattern: FramePattern, frames, pairs, convention, beside, problems):
     """Files that lead from one frame to another."""
     ways = {(to, other): _way(pattern, frames[to], frames[other]) for to, other in pairs}
-    steps = (step for way in ways.values() for step in pairwise(way))
-    problems.add_missing(pattern.path_of_pair(*step) for step in steps)
-    return vectors_of_pairs(ways, pattern.path_of_pair, convention, *beside)
+    steps = [step for way in ways.values() for step in pairwise(way)]
+    turned = _turned(pattern, steps)
+    problems.add_missing(
+        pattern.path_of_pair(*step[:: -1 if step in turned else 1]) for step in steps
+    )
+    return vectors_of_pairs(ways, pattern.path_of_pair, convention, *beside, turned)
+
+
+def _turned(pattern: FramePattern, steps):
+    """Steps of a direction in which no file leads, if files lead in the other.
+
+    Where one of many is missing, it has been forgotten.
+    """
+    directions = ([step for step in steps if (step[0] < step[1]) == ahead] for ahead in (1, 0))
+    return {
+        step
+        for way in directions
+        if not any(is_there(pattern.path_of_pair(*each)) for each in way)
+        and any(is_there(pattern.path_of_pair(*each[::-1])) for each in way)
+        for step in way
+    }
 
 
 def _way(pattern: FramePattern, first: int, last: int) -> Sequence[int]:
-    """The two frames if a file leads from one to the other, or else all that lie between as well.
+    """The two frames if a file leads between them, or else all that lie between as well.
 
     Where there is no file at all the first is what misses.
     """
     step = 1 if last > first else -1
     through = range(first, last + step, step)
-    if not is_there(pattern.path_of_pair(first, last)) and any(
-        is_there(pattern.path_of_pair(*each)) for each in pairwise(through)
-    ):
-        return through
+    for turn in (1, -1):
+        if is_there(pattern.path_of_pair(*(first, last)[::turn])):
+            return first, last
+        if any(is_there(pattern.path_of_pair(*each[::turn])) for each in pairwise(through)):
+            return through
     return first, last
 
 

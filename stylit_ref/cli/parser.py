@@ -45,6 +45,11 @@ class Parser(argparse.ArgumentParser):
         self._check(words)
         return super().parse_known_args(words, namespace)
 
+    def _check_value(self, action: argparse.Action, value: Any) -> None:
+        if action.choices is not None and value not in action.choices:
+            refusal = f"is {value!r}; it must be {', '.join(action.choices)}"
+            raise argparse.ArgumentError(action, refusal + did_you_mean(value, action.choices))
+
     @property
     def commands(self) -> dict[str, "Parser"]:
         """Parsers of the commands that this one has, by name."""

@@ -67,7 +67,8 @@ class ProgressLine:
         """Tell which kernel is going to be compiled; where no line is shown, how many there are."""
         if not self.is_shown:
             if number == 1 and not self._quiet:
-                print(f"compiling {count} kernels, once", file=sys.stderr)
+                what = "a kernel" if count == 1 else f"{count} kernels"
+                print(f"compiling {what}, once", file=sys.stderr)
             return
         told = f"compiling kernels {number} of {count}, once"
         if number == 1:

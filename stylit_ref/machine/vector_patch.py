@@ -286,9 +286,9 @@ def shuffled(builder: Any, a: Any, b: Any, lanes: list[int]) -> Any:
 
 
 def _sum_all(builder, vectors):
-    """The sum of all elements of vectors of 8 and of 16 pair sums."""
+    """The sum of all elements of vectors of pair sums: those of 16 first, then those of 8."""
     total = None
-    for vector in sorted(vectors, key=lambda vector: -vector.type.count):
+    for vector in vectors:
         if total is not None and total.type.count > vector.type.count:
             total = _folded(builder, total)
         total = vector if total is None else builder.add(total, vector)

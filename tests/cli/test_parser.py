@@ -95,7 +95,9 @@ def test_words_after_two_dashes(capsys):
 
 def test_a_choice_that_is_none(capsys):
     said = refusal(capsys, "run --style a --preset slow")
-    assert said.startswith("stylit-ref run: --preset: invalid choice: 'slow'")
+    assert said.startswith("stylit-ref run: --preset: is 'slow'; it must be final, fast,")
+    said = refusal(capsys, "run --style a --preset fats")
+    assert said.endswith("; did you mean fast?")
 
 
 def test_negative_numbers_and_names_with_spaces_are_values(capsys):

@@ -133,7 +133,7 @@ def test_warm_up_says_what_it_compiled(capfd):
     command = ["warm-up", "--only", "run", "--guide-channels", "1", "--style-channels", "1"]
     command += ["--patch-size", "3"]
     assert main(command) == 0
-    pattern = r"(compiling \d+ kernels, once\n)?compiled \d+ of 13 kernels in [\d.]+ s\n"
+    pattern = r"(compiling .*, once\n)?compiled \d+ of 13 kernels in [\d.]+ s\n"
     assert re.fullmatch(pattern, capfd.readouterr().err)
     assert main(command) == 0
     assert capfd.readouterr().err.startswith("compiled 0 of 13 kernels in ")
@@ -153,12 +153,12 @@ def test_warm_up_compiles_textures_too(monkeypatch):
     assert counts[None] == counts["run"] + counts["texture"]
 
 
-@pytest.mark.parametrize("count", [1, 3])
-def test_compilation_is_told_without_a_terminal(capfd, count):
+@pytest.mark.parametrize(("count", "told"), [(1, "a kernel"), (3, "3 kernels")])
+def test_compilation_is_told_without_a_terminal(capfd, count, told):
     with ProgressLine(quiet=False) as line:
         for number in range(1, count + 1):
             line.compiling(number, count)
-    assert capfd.readouterr().err == f"compiling {count} kernels, once\n"
+    assert capfd.readouterr().err == f"compiling {told}, once\n"
 
 
 def test_it_asks_for_kernels_only_when_one_is_missing(capfd):

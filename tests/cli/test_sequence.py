@@ -156,6 +156,26 @@ def test_a_file_of_each_pair(shot):
         np.testing.assert_array_equal(written(folder)[result.frame], result.image)
 
 
+def test_files_of_pairs_that_lead_ahead_only_are_turned_around(shot, capsys):
+    folder, _, _, frames = shot
+    size = frames[0][0].shape[:2]
+    flow = np.tile(np.float32([1, 0]), (*size, 1))
+    write_flo(folder / "1_to_2.flo", flow)
+    vectors = "--motion", f"{folder}/%d_to_%d.flo"
+    assert f"{folder}/2_to_3.flo: no such file" in refused(capsys, sequence(folder, *vectors))
+    write_flo(folder / "2_to_3.flo", flow)
+    assert sequence(folder, *vectors) == 0
+    of_pairs = written(folder)
+    for frame in (1, 2):
+        write_flo(folder / f"ahead.{frame}.flo", flow)
+    of_frames = "--motion", f"{folder}/ahead.%d.flo", "--motion-convention", "flo"
+    assert sequence(folder, *of_frames) == 0
+    np.testing.assert_array_equal(of_pairs, written(folder))
+    write_flo(folder / "2_to_1.flo", -flow)
+    capsys.readouterr()
+    assert f"{folder}/3_to_2.flo: no such file" in refused(capsys, sequence(folder, *vectors))
+
+
 def test_files_of_pairs_are_followed_through_frames_that_are_left_out(shot, capsys):
     folder, size = shot[0], shot[3][0][0].shape[:2]
     flags = "--motion", f"{folder}/%d_to_%d.flo", "--frames", "1,3"

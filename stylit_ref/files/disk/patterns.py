@@ -46,8 +46,21 @@ class FramePattern:
 
         The name of a layer behind the file's is left out.
         """
+        found = ((pattern, path, int(first)) for pattern, path, (first, *_) in self._on_disk())
+        return sorted({number for pattern, path, number in found if path == pattern.path(number)})
+
+    def respelled(self) -> str | None:
+        """The name with numbers as wide as on the disk; None if no file has such a name either."""
+        digits = {each for *_, numbers in self._on_disk() for each in numbers}
+        has_zeros = any(each.startswith("0") and len(each) > 1 for each in digits)
+        number = f"%0{min(map(len, digits))}d" if has_zeros else "%d"
+        text = number.join(self._names)
+        return text if FramePattern(text).frames() else None
+
+    def _on_disk(self):
+        """Of each file with numbers of any width: a pattern, its name, and the digits of each."""
         text = self.text
-        while not (found := _frames_on_disk(text)) and is_pattern(text.rpartition(":")[0]):
+        while not (found := _numbered_on_disk(text)) and is_pattern(text.rpartition(":")[0]):
             text = text.rpartition(":")[0]
         return found
 
@@ -76,12 +89,8 @@ def _taken_apart(text, kind):
     return re.split(kind, text), widths, len(re.findall(kind, PurePath(text).name))
 
 
-def _frames_on_disk(text):
+def _numbered_on_disk(text):
     pattern = FramePattern(text.replace("/", os.sep))  # as glob answers
     number = re.compile(r"(-?\d+)".join(map(re.escape, pattern._names)))
-    frames = set()
-    for path in glob("*".join(map(escape, pattern._names))):
-        found = number.fullmatch(path)
-        if found and pattern.path(int(found[1])) == path:
-            frames.add(int(found[1]))
-    return sorted(frames)
+    paths = glob("*".join(map(escape, pattern._names)))
+    return [(pattern, path, found.groups()) for path in paths if (found := number.fullmatch(path))]

@@ -53,16 +53,17 @@ def decimate_labels(
     One thread is enough for so few, and takes half as long to compile.
     """
     height, width = out.shape
-    for a in range(height):
-        for b in range(width):
-            out[a, b] = labels[(a * step) << level, (b * step) << level]
+    apart = np.uint64(step << level)
+    for a in range(np.uint64(height)):
+        for b in range(np.uint64(width)):
+            out[a, b] = labels[a * apart, b * apart]
 
 
 @kernel(parallel=False, nogil=True)
 def free_lost_labels(labels: NDArray[np.int16], is_there: NDArray[np.bool_]) -> None:
     """Free the entries whose label no centre of the source has at this level."""
     height, width = labels.shape
-    for a in range(height):
-        for b in range(width):
-            if not is_there[labels[a, b]]:
+    for a in range(np.uint64(height)):
+        for b in range(np.uint64(width)):
+            if not is_there[np.uint64(labels[a, b])]:
                 labels[a, b] = -1

@@ -83,3 +83,19 @@ def test_what_is_no_frame_range(text):
 
 def test_frames_become_a_short_text():
     assert range_text([9, 1, 3, 5, 20]) == "1-5x2,9,20"
+
+
+@pytest.mark.parametrize(
+    ("names", "respelled"),
+    [
+        (("a.1.exr", "a.10.exr"), "a.%d.exr"),
+        (("a.00001.exr",), "a.%05d.exr"),
+        (("a.x.exr",), None),
+    ],
+)
+def test_numbers_of_another_width(tmp_path, names, respelled):
+    for name in names:
+        (tmp_path / name).touch()
+    for layer in ("", ":Depth"):
+        expected = f"{tmp_path}/{respelled}{layer}" if respelled else None
+        assert FramePattern(f"{tmp_path}/a.####.exr{layer}").respelled() == expected
