@@ -90,13 +90,18 @@ def test_a_stage_names_the_passes_that_it_uses(stage):
 
 @pytest.mark.slow
 def test_cuda_kernels_give_what_they_must():
-    """In Numba's simulator, which needs a process of its own."""
+    """In Numba's simulator, which needs a process of its own.
+
+    Whole frames take longer than all else. ``tests/gpu_cuda`` compares them with those of the CPU.
+    """
+    whole = "frame", "warm_frame"
+    stages = [name for name, stage in STAGES.items() if stage.passes and name not in whole]
     command = [sys.executable, "-m", "oracle", "check", "--cases", VERSION]
+    command += ["--jobs", "2", "--stages", ",".join(stages)]
     done = subprocess.run(
-        [*command, "--module", "gpu_cuda.realtime", "--jobs", "2"],
+        [*command, "--module", "gpu_cuda.realtime"],
         check=False, capture_output=True, text=True,
         env=os.environ | {"NUMBA_ENABLE_CUDASIM": "1"},
     )  # fmt: skip
     assert done.returncode == 0, done.stdout
-    offered = sum(len(cases(name)) for name, stage in STAGES.items() if stage.passes)
-    assert done.stdout.startswith(f"{offered} passed, ")
+    assert done.stdout == f"{sum(len(cases(name)) for name in stages)} passed\n"

@@ -44,9 +44,10 @@ def test_the_smallest_case_of_a_stage_is_what_it_was(port, stage):
 def test_cuda_kernels_give_what_they_must():
     """In Numba's simulator, which needs a process of its own.
 
-    Whole runs take as long as all else. ``tests/gpu_cuda`` compares them with those of the CPU.
+    Whole levels and runs take as long as all else. ``tests/gpu_cuda`` compares them with those of
+    the CPU.
     """
-    stages = [stage for stage in stages_of(NEWEST) if stage != "run"]
+    stages = [stage for stage in stages_of(NEWEST) if stage not in ("level", "run")]
     command = [sys.executable, "-m", "oracle", "check", "--module", "gpu_cuda"]
     command += ["--jobs", "2", "--stages", ",".join(stages)]
     done = subprocess.run(
