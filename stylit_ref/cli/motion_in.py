@@ -12,6 +12,7 @@ from stylit_ref.errors import InputError
 from stylit_ref.files.disk.paths import is_there
 from stylit_ref.files.disk.patterns import FramePattern
 from stylit_ref.files.motion_file import look_at_vectors
+from stylit_ref.notes import note
 from stylit_ref.views.frames import sequence_pairs
 from stylit_ref.views.motion.conventions import (
     AUTO,
@@ -24,6 +25,11 @@ from stylit_ref.views.motion.conventions import (
 from stylit_ref.views.params import SEQUENTIAL
 
 _BESIDE = "motion_depth", "motion_ids"
+
+_TURNED = (
+    "has files that all lead the same way; they are turned around for the other, which is less "
+    "exact at silhouettes"
+)
 
 
 def add_motion_options(group: argparse._ArgumentGroup) -> None:
@@ -103,18 +109,20 @@ def _of_pairs(pattern: FramePattern, frames, pairs, convention, beside, problems
     ways = {(to, other): _way(pattern, frames[to], frames[other]) for to, other in pairs}
     steps = [step for way in ways.values() for step in pairwise(way)]
     turned = _turned(pattern, steps)
-    problems.add_missing(
-        pattern.path_of_pair(*step[:: -1 if step in turned else 1]) for step in steps
-    )
+    files = [pattern.path_of_pair(*(step[::-1] if step in turned else step)) for step in steps]
+    if turned and all(map(is_there, files)):
+        note(_TURNED, parameter="motion")
+    problems.add_missing(files)
     return vectors_of_pairs(ways, pattern.path_of_pair, convention, *beside, turned)
 
 
 def _turned(pattern: FramePattern, steps):
     """Steps of a direction in which no file leads, if files lead in the other.
 
-    Where one of many is missing, it has been forgotten.
+    If some do, those that do not exist have been forgotten, and are missing.
     """
-    directions = ([step for step in steps if (step[0] < step[1]) == ahead] for ahead in (1, 0))
+    ways = True, False
+    directions = ([step for step in steps if (step[0] < step[1]) == ahead] for ahead in ways)
     return {
         step
         for way in directions
@@ -206,8 +214,7 @@ def _beside(options, name, frames, problems) -> dict[int, str]:
         return {}
     pattern = pattern_of(text, name)
     there = pattern.frames()
-    missing = [frame for frame in frames if frame not in there]
-    if missing:
-        problems.add(f"{text}: there is no file for {counted(missing)}")
+    if not set(frames).issubset(there):
+        problems.add(why_missing(text, there, frames))
         return {}
     return {frame: pattern.path(frame) for frame in there}

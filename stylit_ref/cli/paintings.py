@@ -69,7 +69,8 @@ def find_paintings(options: argparse.Namespace, problems: ShotProblems) -> Paint
     for pattern in patterns:
         there = pattern.frames()
         if not set(painted).issubset(there):
-            missing.append(f"{why_missing(pattern.text, there, painted)}, which is painted")
+            why = why_missing(pattern.text, there, painted)
+            missing.append(why + ", which is painted" * bool(there))
     for sentence in missing:
         problems.add(sentence)
     guides = [

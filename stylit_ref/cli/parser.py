@@ -47,8 +47,11 @@ class Parser(argparse.ArgumentParser):
 
     def _check_value(self, action: argparse.Action, value: Any) -> None:
         if action.choices is not None and value not in action.choices:
-            refusal = f"is {value!r}; it must be {', '.join(action.choices)}"
-            raise argparse.ArgumentError(action, refusal + did_you_mean(value, action.choices))
+            known = list(map(str, action.choices))
+            refusal = (
+                f"is {value!r}; it must be {', '.join(known)}{did_you_mean(str(value), known)}"
+            )
+            raise argparse.ArgumentError(action, refusal)
 
     @property
     def commands(self) -> dict[str, "Parser"]:

@@ -4,12 +4,16 @@ import argparse
 
 from stylit_ref.cli.frame_files import find_fills, find_frames, find_masks, pattern_of
 from stylit_ref.cli.guide_options import add_guide_options
-from stylit_ref.cli.method_options import chosen_params
 from stylit_ref.cli.motion_in import add_motion_options, find_motion
 from stylit_ref.cli.paintings import find_paintings
 from stylit_ref.cli.parser import FRAMES, Parser
 from stylit_ref.cli.shot_in import ShotFiles, Times
-from stylit_ref.cli.shot_options import add_other_outputs, add_shot_options, chosen_coherence
+from stylit_ref.cli.shot_options import (
+    add_other_outputs,
+    add_shot_options,
+    chosen_coherence,
+    shot_params,
+)
 from stylit_ref.cli.shot_problems import ShotProblems
 from stylit_ref.cli.stylize_shot import stylize_shot
 from stylit_ref.views.keyframes import values_of_time
@@ -79,7 +83,7 @@ def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
 
 def run(options: argparse.Namespace) -> None:
     """Find the files of all frames, and stylize them."""
-    params = chosen_params(options)
+    params = shot_params(options)
     coherence = chosen_coherence(options, _coherence(options), "--motion")
     outputs = [
         pattern_of(text, name) if text else None

@@ -4,11 +4,19 @@ import argparse
 from dataclasses import fields, replace
 
 from stylit_ref.cli.guide_options import add_encoding_option
-from stylit_ref.cli.method_options import add_method, add_parameters, add_preset, parameters_of
+from stylit_ref.cli.method_options import (
+    add_method,
+    add_parameters,
+    add_preset,
+    chosen_params,
+    method_of,
+    parameters_of,
+)
 from stylit_ref.cli.parameter_options import add_parameter, whole_number
 from stylit_ref.cli.parser import Parser
 from stylit_ref.errors import InputError
 from stylit_ref.stylization.methods import METHODS
+from stylit_ref.stylization.params import Params
 from stylit_ref.views.params import SEQUENTIAL, Coherence
 
 _SPELLED = {
@@ -84,6 +92,24 @@ def add_other_outputs(parser: Parser, metavar: str, example: str) -> None:
         help="write all of it into a folder: pictures, where every pixel came from, motion, and "
         "what it was made of; 'stylit-ref replay' and viewers read it",
     )  # fmt: skip
+
+
+def shot_params(options: argparse.Namespace) -> Params:
+    """Parameters of the method that was chosen.
+
+    Raises
+    ------
+    InputError
+        As of :func:`~stylit_ref.cli.method_options.chosen_params`, and if the method makes single
+        frames.
+    """
+    if method_of(options) == "realtime":
+        raise InputError(
+            "is realtime, which makes single frames: give each to 'stylit-ref run', with "
+            "--warm-start from the one before",
+            parameter="method",
+        )
+    return chosen_params(options)
 
 
 def chosen_coherence(

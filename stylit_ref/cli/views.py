@@ -4,12 +4,16 @@ import argparse
 from collections.abc import Sequence
 from dataclasses import replace
 
-from stylit_ref.cli.method_options import chosen_params
 from stylit_ref.cli.motion_files import VectorsOfPairs, vectors_of_pairs
 from stylit_ref.cli.parser import Parser
 from stylit_ref.cli.scene_files import SceneFiles
 from stylit_ref.cli.shot_in import ShotFiles
-from stylit_ref.cli.shot_options import add_other_outputs, add_shot_options, chosen_coherence
+from stylit_ref.cli.shot_options import (
+    add_other_outputs,
+    add_shot_options,
+    chosen_coherence,
+    shot_params,
+)
 from stylit_ref.cli.shot_problems import ShotProblems
 from stylit_ref.cli.stylize_shot import stylize_shot
 from stylit_ref.cli.views_manifest import OTHER, VIEW, Manifest, read_manifest
@@ -55,7 +59,7 @@ def add_parser(commands: "argparse._SubParsersAction[Parser]") -> None:
 def run(options: argparse.Namespace) -> None:
     """Find the files of all views, and stylize them."""
     manifest = read_manifest(options.manifest)
-    params = replace(chosen_params(options), guide_weights=manifest.weights)
+    params = replace(shot_params(options), guide_weights=manifest.weights)
     default = Coherence() if manifest.motion else None
     coherence = chosen_coherence(options, default, "motion in the manifest")
     guides = [[guide.replace(VIEW, view) for guide in manifest.guides] for view in manifest.views]

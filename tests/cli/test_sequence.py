@@ -156,6 +156,19 @@ def test_a_file_of_each_pair(shot):
         np.testing.assert_array_equal(written(folder)[result.frame], result.image)
 
 
+def test_realtime_makes_single_frames(shot, capsys):
+    message = refused(capsys, sequence(shot[0], "--method", "realtime"))
+    assert (
+        "--method is realtime, which makes single frames: give each to 'stylit-ref run'" in message
+    )
+
+
+def test_a_number_of_another_width_is_named_as_it_is(shot, capsys):
+    folder = shot[0]
+    message = refused(capsys, sequence(folder, "--motion", f"{folder}/flow.%d.flo"))
+    assert f"there are files of {folder}/flow.%04d.flo" in message
+
+
 def test_files_of_pairs_that_lead_ahead_only_are_turned_around(shot, capsys):
     folder, _, _, frames = shot
     size = frames[0][0].shape[:2]
@@ -165,6 +178,9 @@ def test_files_of_pairs_that_lead_ahead_only_are_turned_around(shot, capsys):
     assert f"{folder}/2_to_3.flo: no such file" in refused(capsys, sequence(folder, *vectors))
     write_flo(folder / "2_to_3.flo", flow)
     assert sequence(folder, *vectors) == 0
+    assert (
+        "--motion has files that all lead the same way; they are turned" in capsys.readouterr().err
+    )
     of_pairs = written(folder)
     for frame in (1, 2):
         write_flo(folder / f"ahead.{frame}.flo", flow)
@@ -271,13 +287,13 @@ def test_all_that_is_missing_is_named_at_once(shot, capsys):
         (folder / name).unlink()
     beside = "--depth", f"{folder}/depth.%d.exr", "--ids", f"{folder}/ids.%d.png"
     message = refused(capsys, sequence(folder, *motion(folder), *beside, "--frames", "1-3"))
-    for name, frames in (
-        ("target_0.%04d.png", "frame 2"),
-        ("flow.%04d.flo", "frame 1"),
-        ("depth.%d.exr", "frames 1-3"),
-        ("ids.%d.png", "frames 1-3"),
+    for name, which in (
+        ("target_0.%04d.png", "for frame 2"),
+        ("flow.%04d.flo", "for frame 1"),
+        ("depth.%d.exr", "of such a name"),
+        ("ids.%d.png", "of such a name"),
     ):
-        assert f"{folder}/{name}: there is no file for {frames}" in message
+        assert f"{folder}/{name}: there is no file {which}" in message
     assert f"{folder}/source_1.png: no such file" in message
 
 

@@ -51,11 +51,13 @@ class FramePattern:
 
     def respelled(self) -> str | None:
         """The name with numbers as wide as on the disk; None if no file has such a name either."""
-        digits = {each for *_, numbers in self._on_disk() for each in numbers}
-        has_zeros = any(each.startswith("0") and len(each) > 1 for each in digits)
-        number = f"%0{min(map(len, digits))}d" if has_zeros else "%d"
-        text = number.join(self._names)
-        return text if FramePattern(text).frames() else None
+        widths = {len(each) for *_, numbers in self._on_disk() for each in numbers}
+        texts = [f"%0{width}d".join(self._names) for width in sorted(widths - {1}, reverse=True)]
+        found = {
+            text: len(FramePattern(text).frames()) for text in ("%d".join(self._names), *texts)
+        }
+        most = max(found, key=found.__getitem__)
+        return most if found[most] else None
 
     def _on_disk(self):
         """Of each file with numbers of any width: a pattern, its name, and the digits of each."""

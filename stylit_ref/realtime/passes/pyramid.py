@@ -61,7 +61,7 @@ def decimate_labels(
 
 @kernel(parallel=False, nogil=True)
 def free_lost_labels(labels: NDArray[np.int16], is_there: NDArray[np.bool_]) -> None:
-    """Free the entries whose label no centre of the source has at this level."""
+    """Free the entries whose label no centre of the source has at this level; none is free yet."""
     height, width = labels.shape
     for a in range(np.uint64(height)):
         for b in range(np.uint64(width)):

@@ -90,6 +90,7 @@ def test_frames_become_a_short_text():
     [
         (("a.1.exr", "a.10.exr"), "a.%d.exr"),
         (("a.00001.exr",), "a.%05d.exr"),
+        (("a.0001.exr", "a.0002.exr", "a.7.exr"), "a.%04d.exr"),
         (("a.x.exr",), None),
     ],
 )
@@ -98,4 +99,4 @@ def test_numbers_of_another_width(tmp_path, names, respelled):
         (tmp_path / name).touch()
     for layer in ("", ":Depth"):
         expected = f"{tmp_path}/{respelled}{layer}" if respelled else None
-        assert FramePattern(f"{tmp_path}/a.####.exr{layer}").respelled() == expected
+        assert FramePattern(f"{tmp_path}/a.######.exr{layer}").respelled() == expected
