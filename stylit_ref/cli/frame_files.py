@@ -52,7 +52,7 @@ def find_frames(options: argparse.Namespace, problems: ShotProblems) -> FrameFil
     wanted = frames_of(options.frames) if options.frames else _all_between(set().union(*found))
     remedy = "" if options.frames else "; render what is missing, or choose frames with --frames"
     missing = [
-        why_missing(pattern.text, there, wanted) + remedy * bool(there)
+        why_missing(pattern, there, wanted) + remedy * bool(there)
         for pattern, there in zip(patterns, found, strict=True)
         if not there or not set(wanted).issubset(there)
     ]
@@ -99,7 +99,7 @@ def _beside_frames(text, parameter, frames, problems):
     pattern = pattern_of(text, parameter)
     there = pattern.frames()
     if not set(frames).issubset(there):
-        problems.add(why_missing(pattern.text, there, frames))
+        problems.add(why_missing(pattern, there, frames))
     files = [pattern.path(frame) for frame in frames]
     problems.patterns |= dict.fromkeys(files, pattern.text)
     return files
@@ -181,13 +181,13 @@ def _all_between(frames: Set[int]) -> list[int]:
     return list(range(min(frames), max(frames) + 1)) if frames else []
 
 
-def why_missing(text: str, there: Sequence[int], wanted: Sequence[int]) -> str:
+def why_missing(pattern: FramePattern, there: Sequence[int], wanted: Sequence[int]) -> str:
     """The sentence on a pattern that has files ``there``, and not all that are wanted."""
     if not there:
-        respelled = FramePattern(text).respelled()
+        respelled = pattern.respelled()
         remedy = f"; there are files of {respelled}" if respelled else ""
-        return f"{text}: there is no file of such a name{remedy}"
-    return f"{text}: there is no file for {counted(sorted(set(wanted).difference(there)))}"
+        return f"{pattern.text}: there is no file of such a name{remedy}"
+    return f"{pattern.text}: there is no file for {counted(sorted(set(wanted).difference(there)))}"
 
 
 def counted(frames: Sequence[int]) -> str:

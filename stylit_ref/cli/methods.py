@@ -4,8 +4,8 @@ from collections.abc import Callable
 from dataclasses import fields
 from typing import Any, NamedTuple
 
-from stylit_ref.errors import InputError, did_you_mean
 from stylit_ref.machine.compilation import Specialization
+from stylit_ref.parameters import Choice
 from stylit_ref.realtime.params import REALTIME_PRESETS, RealtimeParams
 from stylit_ref.stylization.methods import METHODS, heeded_by
 from stylit_ref.stylization.params import PRESETS, Params
@@ -98,11 +98,4 @@ def offer_of(method: str) -> Offer:
     InputError
         If none has that name.
     """
-    if method not in OFFERS:
-        *others, last = map(repr, OFFERS)
-        raise InputError(
-            f"is {method!r}; it must be {', '.join(others)} or {last}"
-            f"{did_you_mean(method, OFFERS)}",
-            parameter="method",
-        )
-    return OFFERS[method]
+    return OFFERS[Choice(tuple(OFFERS)).check("method", method)]

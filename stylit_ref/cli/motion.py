@@ -144,7 +144,7 @@ def _frames(pattern: FramePattern, parameter: str):
     """The frames that there are files of."""
     frames = pattern.frames()
     if not frames:
-        raise InputError(why_missing(pattern.text, frames, ()), parameter=parameter)
+        raise InputError(why_missing(pattern, frames, ()), parameter=parameter)
     return frames
 
 

@@ -121,15 +121,16 @@ def _turned(pattern: FramePattern, steps):
 
     If some do, those that do not exist have been forgotten, and are missing.
     """
-    ways = True, False
-    directions = ([step for step in steps if (step[0] < step[1]) == ahead] for ahead in ways)
-    return {
-        step
-        for way in directions
-        if not any(is_there(pattern.path_of_pair(*each)) for each in way)
-        and any(is_there(pattern.path_of_pair(*each[::-1])) for each in way)
-        for step in way
-    }
+    turned = set()
+    for is_ahead in (True, False):
+        way = [step for step in steps if (step[0] < step[1]) == is_ahead]
+        if not _any_leads(pattern, way) and _any_leads(pattern, (step[::-1] for step in way)):
+            turned.update(way)
+    return turned
+
+
+def _any_leads(pattern: FramePattern, steps) -> bool:
+    return any(is_there(pattern.path_of_pair(*step)) for step in steps)
 
 
 def _way(pattern: FramePattern, first: int, last: int) -> Sequence[int]:
@@ -140,9 +141,9 @@ def _way(pattern: FramePattern, first: int, last: int) -> Sequence[int]:
     step = 1 if last > first else -1
     through = range(first, last + step, step)
     for turn in (1, -1):
-        if is_there(pattern.path_of_pair(*(first, last)[::turn])):
+        if _any_leads(pattern, [(first, last)[::turn]]):
             return first, last
-        if any(is_there(pattern.path_of_pair(*each[::turn])) for each in pairwise(through)):
+        if _any_leads(pattern, (step[::turn] for step in pairwise(through))):
             return through
     return first, last
 
@@ -181,7 +182,7 @@ def _passed(pattern: FramePattern, frames, convention, problems) -> dict[int, st
     """The files of all frames from the first to the last, those that are left out among them."""
     there = {frame: pattern.path(frame) for frame in pattern.frames()}
     if not there:
-        problems.add(why_missing(pattern.text, (), ()))
+        problems.add(why_missing(pattern, (), ()))
         return {}
     try:
         steps = _steps(convention, next(iter(there.values())))
@@ -215,6 +216,6 @@ def _beside(options, name, frames, problems) -> dict[int, str]:
     pattern = pattern_of(text, name)
     there = pattern.frames()
     if not set(frames).issubset(there):
-        problems.add(why_missing(text, there, frames))
+        problems.add(why_missing(pattern, there, frames))
         return {}
     return {frame: pattern.path(frame) for frame in there}

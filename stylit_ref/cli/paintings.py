@@ -65,11 +65,11 @@ def find_paintings(options: argparse.Namespace, problems: ShotProblems) -> Paint
         return Paintings([options.style], [side_of(options, sources, problems)])
     style = pattern_of(options.style, "style")
     patterns, painted = [pattern_of(source, "guide") for source in sources], style.frames()
-    missing = [] if painted else [why_missing(style.text, (), ())]
+    missing = [] if painted else [why_missing(style, (), ())]
     for pattern in patterns:
         there = pattern.frames()
         if not set(painted).issubset(there):
-            why = why_missing(pattern.text, there, painted)
+            why = why_missing(pattern, there, painted)
             missing.append(why + ", which is painted" * bool(there))
     for sentence in missing:
         problems.add(sentence)
@@ -95,7 +95,7 @@ def paintings_of(style: str) -> list[str]:
     pattern = pattern_of(style, "style")
     painted = pattern.frames()
     if not painted:
-        raise InputError(why_missing(pattern.text, (), ()))
+        raise InputError(why_missing(pattern, (), ()))
     return [pattern.path(frame) for frame in painted]
 
 
