@@ -55,6 +55,7 @@ def test_a_value_becomes_pythons_own(kind, value, made):
         (Share(), 0, "name is 0; it must be a number above 0 and up to 1"),
         (OrWord("all", Integer(1, 16)), "most", "must be an integer from 1 to 16, or 'all'"),
         (Choice(("a", "b", "c")), "d", "name is 'd'; it must be 'a', 'b' or 'c'"),
+        (Choice(("ref", "stylit")), "stlyit", "'ref' or 'stylit'; did you mean stylit?"),
         (OneOrSeveral(Integer(1, 9)), (1, 0), "name is 0; it must be an integer from 1 to 9"),
         (OneOrSeveral(Integer(1, 9)), (), r"name is \(\); it must be an integer"),
         (Several(Number(0, 9), "weight"), [1, -2], "weight 2 is -2; it must be a number"),

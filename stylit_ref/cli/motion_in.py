@@ -26,6 +26,8 @@ from stylit_ref.views.params import SEQUENTIAL
 
 _BESIDE = "motion_depth", "motion_ids"
 
+_NEEDED = "; --motion needs a file that leads from each frame to the one before it"
+_OR_TURNED = ", or for all of them the files that lead the other way"
 _TURNED = (
     "has files that all lead the same way; they are turned around for the other, which is less "
     "exact at silhouettes"
@@ -110,9 +112,13 @@ def _of_pairs(pattern: FramePattern, frames, pairs, convention, beside, problems
     steps = [step for way in ways.values() for step in pairwise(way)]
     turned = _turned(pattern, steps)
     files = [pattern.path_of_pair(*(step[::-1] if step in turned else step)) for step in steps]
-    if turned and all(map(is_there, files)):
+    if not pattern.count_files() and pattern.respelled():
+        problems.add(why_missing(pattern, (), ()))
+    elif not all(map(is_there, files)):
+        ahead = any(first < last for first, last in steps)
+        problems.add_missing(files, _NEEDED + " and to the one after it" * ahead + _OR_TURNED)
+    elif turned:
         note(_TURNED, parameter="motion")
-    problems.add_missing(files)
     return vectors_of_pairs(ways, pattern.path_of_pair, convention, *beside, turned)
 
 

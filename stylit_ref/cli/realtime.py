@@ -188,8 +188,10 @@ def _field_before(
         return None
     field = read_any_field(path)
     if not isinstance(field, RealtimeField):
+        is_bare = field.patch_width is None
+        why = "no longer says which run it is of" if is_bare else "is of a run of another method"
         raise InputError(
-            f"{path}: is of a run of another method; name what --method realtime wrote with --nnf",
+            f"{path}: {why}; name what --method realtime wrote with --nnf, as it was written",
             parameter="warm_start",
         )
     was = field.patch_width, field.spacing, tuple(field.style_size), tuple(field.target_size)

@@ -36,15 +36,15 @@ class ShotProblems:
         """Add a sentence, and the file that it is about."""
         self._found.setdefault(self._of_pattern(sentence, path), {})[path] = sentence
 
-    def add_missing(self, paths: Iterable[str]) -> None:
-        """Add a sentence that names those that do not exist, if there are any."""
+    def add_missing(self, paths: Iterable[str], remedy: str = "") -> None:
+        """Add a sentence that names those that do not exist, if there are any, and the remedy."""
         missing = [
             path for path in dict.fromkeys(paths) if not (is_there(path) or Path(path).is_dir())
         ]
         if len(missing) == 1:
-            self.add(f"{missing[0]}: no such file")
+            self.add(f"{missing[0]}: no such file{remedy}")
         elif missing:
-            self.add(f"no such files: {_listed(missing)}")
+            self.add(f"no such files: {_listed(missing)}{remedy}")
 
     def refuse(self) -> None:
         """Refuse in one sentence what has been added.

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 import numpy as np
+from numpy.lib.format import MAGIC_PREFIX
 from numpy.typing import NDArray
 
 from stylit_ref.errors import InputError
@@ -35,6 +36,9 @@ def read_arrays(path: str | Path, make: Callable[[NDArray[Any], list[NDArray[Any
     """
     check_regular(real_path(path))
     try:
+        with open(path, "rb") as file:
+            if file.read(len(MAGIC_PREFIX)) != MAGIC_PREFIX:
+                raise ValueError("it is a file of another kind")
         # Mapping the file checks that it is as long as its header says, before memory is taken.
         mapped = np.lib.format.open_memmap(path, mode="r")
         with open(path, "rb") as file:

@@ -169,6 +169,24 @@ def test_a_number_of_another_width_is_named_as_it_is(shot, capsys):
     assert f"there are files of {folder}/flow.%04d.flo" in message
 
 
+def test_numbers_of_pairs_of_another_width_are_named_as_they_are(shot, capsys):
+    folder = shot[0]
+    for name in ("0002_to_0001", "0003_to_0002"):
+        (folder / f"{name}.flo").touch()
+    message = refused(capsys, sequence(folder, "--motion", f"{folder}/%d_to_%d.flo"))
+    assert f"there are files of {folder}/%04d_to_%04d.flo" in message
+
+
+@pytest.mark.parametrize(("order", "both"), [("sequential", False), ("sweeps", True)])
+def test_the_files_of_pairs_that_are_needed_are_told(shot, capsys, order, both):
+    folder, size = shot[0], shot[3][0][0].shape[:2]
+    write_flo(folder / "2_to_1.flo", np.zeros((*size, 2), np.float32))
+    flags = "--motion", f"{folder}/%d_to_%d.flo", "--order", order
+    needed = "from each frame to the one before it" + " and to the one after it" * both
+    assert f"{folder}/3_to_2.flo" in (message := refused(capsys, sequence(folder, *flags)))
+    assert f"--motion needs a file that leads {needed}, or for all of them the files" in message
+
+
 def test_files_of_pairs_that_lead_ahead_only_are_turned_around(shot, capsys):
     folder, _, _, frames = shot
     size = frames[0][0].shape[:2]
@@ -190,6 +208,22 @@ def test_files_of_pairs_that_lead_ahead_only_are_turned_around(shot, capsys):
     write_flo(folder / "2_to_1.flo", -flow)
     capsys.readouterr()
     assert f"{folder}/3_to_2.flo: no such file" in refused(capsys, sequence(folder, *vectors))
+
+
+def test_turned_files_of_pairs_are_followed_through_frames_that_are_left_out(shot):
+    folder, _, _, frames = shot
+    flow = np.tile(np.float32([1, 0]), (*frames[0][0].shape[:2], 1))
+    ids = "--ids", f"{folder}/ids.%d.png", "--frames", "1,3"
+    for frame in (1, 2, 3):
+        write_image(folder / f"ids.{frame}.png", np.uint8(50 * (frames[frame - 1][0][..., :1] > 99)))
+    for frame in (1, 2):
+        write_flo(folder / f"{frame}_to_{frame + 1}.flo", flow)
+        write_flo(folder / f"ahead.{frame}.flo", flow)
+    assert sequence(folder, "--motion", f"{folder}/%d_to_%d.flo", *ids) == 0
+    of_pairs = written(folder, (1, 3))
+    of_frames = "--motion", f"{folder}/ahead.%d.flo", "--motion-convention", "flo"
+    assert sequence(folder, *of_frames, *ids) == 0
+    np.testing.assert_array_equal(of_pairs, written(folder, (1, 3)))
 
 
 def test_files_of_pairs_are_followed_through_frames_that_are_left_out(shot, capsys):

@@ -54,7 +54,7 @@ def test_a_file_of_numpy_is_a_field(tmp_path, order):
     ("content", "message"),
     [
         (None, "cannot be read: No such file"),
-        (b"no array", "is not a readable .npy file"),
+        (b"no array", "is not a readable .npy file: it is a file of another kind"),
         (b"PK" + bytes(100), "is not a readable .npy file"),
     ],
 )

@@ -26,7 +26,7 @@ class FramePattern:
     def __init__(self, text: str) -> None:
         self.text: str = text
         kind = next(kind for kind in _KINDS if re.search(kind, text))
-        self._names, self._widths, self._numbers_of_file = _taken_apart(text, kind)
+        self._between, self._widths, self._numbers_of_file = _taken_apart(text, kind)
 
     @property
     def names_pairs(self) -> bool:
@@ -49,13 +49,15 @@ class FramePattern:
         found = ((pattern, path, int(first)) for pattern, path, (first, *_) in self._on_disk())
         return sorted({number for pattern, path, number in found if path == pattern.path(number)})
 
+    def count_files(self) -> int:
+        """How many files, or folders, there are: of frames, or of pairs of frames."""
+        return sum(pattern._makes(path, numbers) for pattern, path, numbers in self._on_disk())
+
     def respelled(self) -> str | None:
         """The name with numbers as wide as on the disk; None if no file has such a name either."""
         widths = {len(each) for *_, numbers in self._on_disk() for each in numbers}
-        texts = [f"%0{width}d".join(self._names) for width in sorted(widths - {1}, reverse=True)]
-        found = {
-            text: len(FramePattern(text).frames()) for text in ("%d".join(self._names), *texts)
-        }
+        texts = [f"%0{width}d".join(self._between) for width in sorted(widths - {1}, reverse=True)]
+        found = {text: FramePattern(text).count_files() for text in ("%d".join(self._between), *texts)}
         most = max(found, key=found.__getitem__)
         return most if found[most] else None
 
@@ -66,8 +68,13 @@ class FramePattern:
             text = text.rpartition(":")[0]
         return found
 
+    def _makes(self, path, numbers):
+        """Whether this name is what the pattern is with these digits."""
+        first, last = int(numbers[0]), int(numbers[-1])
+        return path == (self.path_of_pair(first, last) if self.names_pairs else self.path(first))
+
     def _filled(self, numbers):
-        first, *names = self._names
+        first, *names = self._between
         from fileseq.utils import pad  # imported late, as below
 
         padded = map(pad, numbers, self._widths)
@@ -93,6 +100,6 @@ def _taken_apart(text, kind):
 
 def _numbered_on_disk(text):
     pattern = FramePattern(text.replace("/", os.sep))  # as glob answers
-    number = re.compile(r"(-?\d+)".join(map(re.escape, pattern._names)))
-    paths = glob("*".join(map(escape, pattern._names)))
+    number = re.compile(r"(-?\d+)".join(map(re.escape, pattern._between)))
+    paths = glob("*".join(map(escape, pattern._between)))
     return [(pattern, path, found.groups()) for path in paths if (found := number.fullmatch(path))]
