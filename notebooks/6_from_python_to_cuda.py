@@ -101,7 +101,7 @@ print(inspect.getsource(cpu_module.random_nnf))
 print(inspect.getsource(inspect.getmodule(gpu_cuda.random_nnf)))
 
 # %%
-HEIGHT, WIDTH = 16, 20
+HEIGHT, WIDTH = 12, 16
 style = reduced("source/styles/oil.png", 3)
 source_guides = [reduced(f"source/{guide}.png", 3) for guide in GUIDES]
 window = np.s_[3 : 3 + HEIGHT, 6 : 6 + WIDTH]

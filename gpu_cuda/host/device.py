@@ -1,7 +1,7 @@
 """Compile, launch and time kernels."""
 
 from collections import defaultdict
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from contextvars import ContextVar
 from functools import lru_cache
 from types import FunctionType
@@ -75,7 +75,7 @@ def _undisguised(argument):
     return getattr(array, "_ary", array)
 
 
-def launch(kernel, size, *arguments, block=BLOCK):
+def launch(kernel, size, *arguments, block=BLOCK, races=False):
     """Run a kernel with one thread for each pixel.
 
     Parameters
@@ -88,10 +88,12 @@ def launch(kernel, size, *arguments, block=BLOCK):
         Arguments of the kernel.
     block : (int, int)
         Threads of a block along x and y.
+    races : bool
+        Whether threads heed what others do meanwhile; the simulator then runs them side by side.
     """
     rows, columns = size
     grid = -(-columns // block[0]), -(-rows // block[1])
-    with _timed(kernel):
+    with _timed(kernel), nullcontext() if races else _one_after_another():
         _configured(kernel, grid, block)(*arguments)
 
 
@@ -110,13 +112,21 @@ def launch_cooperative(kernel, most_threads, *arguments):
     """
     threads = BLOCK[0] * BLOCK[1]
     if SIMULATED:
-        with _timed(kernel):
+        with _timed(kernel), _one_after_another():
             _configured(kernel, 1, min(threads, most_threads))(*arguments)
         return
     specialized = kernel.specialize(*arguments)
     blocks = min(-(-most_threads // threads), _blocks_at_once(specialized, threads))
     with _timed(kernel):
         _configured(specialized, blocks, threads)(*arguments)
+
+
+def _one_after_another():
+    if not SIMULATED:
+        return nullcontext()
+    from gpu_cuda.host.block_threads import one_after_another
+
+    return one_after_another()
 
 
 def _configured(kernel, grid, block):

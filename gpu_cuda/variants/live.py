@@ -162,6 +162,7 @@ def propagate(level, make_kernels, occurrences, distance):
     launch(
         kernel, level.nnf.shape[:2], *metric_arrays(level.textures), occurrences,
         level.occurrence_weight, level.nnf, level.proposed_nnf, distance,
+        races=True,
     )  # fmt: skip
     level.nnf, level.proposed_nnf = level.proposed_nnf, level.nnf
 
@@ -178,6 +179,7 @@ def search_at_random(level, make_kernels, occurrences, stream):
     launch(
         kernel, size, *metric_arrays(level.textures), occurrences,
         level.occurrence_weight, level.nnf, stream, number_of_radii(max(size)),
+        races=True,
     )  # fmt: skip
 
 

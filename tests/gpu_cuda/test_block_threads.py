@@ -1,0 +1,71 @@
+"""In the simulator the threads of a block follow each other in a shuffled order."""
+
+from threading import active_count
+
+import numpy as np
+import pytest
+from numba import cuda
+
+from gpu_cuda.host.device import SIMULATED, launch
+
+pytestmark = pytest.mark.skipif(not SIMULATED, reason="a GPU has threads of its own")
+
+SIZE = 7, 9
+"""Rows and columns, of which the last are in blocks that reach beyond."""
+
+
+@cuda.jit
+def arrive(arrivals, count):
+    x, y = cuda.grid(2)
+    if y < SIZE[0] and x < SIZE[1]:
+        arrivals[cuda.atomic.add(count, 0, 1)] = y * SIZE[1] + x
+
+
+@cuda.jit
+def turn_block(out, counts):
+    shared = cuda.shared.array((8, 8), np.int32)
+    x, y = cuda.threadIdx.x, cuda.threadIdx.y
+    if y == 7:
+        return
+    shared[y, x] = 8 * y + x
+    cuda.syncthreads()
+    counts[y, x] = cuda.syncthreads_count(x < 3)
+    out[y, x] = shared[6 - y, 7 - x]
+
+
+@cuda.jit
+def fail(out):
+    x, y = cuda.grid(2)
+    if x == 3 and y == 2:
+        raise ValueError("too far")
+    cuda.syncthreads()
+    out[y, x] = 1
+
+
+def arrivals():
+    order, count = np.full(SIZE[0] * SIZE[1], -1), np.zeros(1, np.int64)
+    launch(arrive, SIZE, order, count)
+    return order.tolist()
+
+
+def test_each_thread_runs_once_in_a_shuffled_order_that_stays():
+    order = arrivals()
+    assert sorted(order) == list(range(SIZE[0] * SIZE[1]))
+    assert order != sorted(order)
+    assert arrivals() == order
+
+
+def test_threads_wait_for_each_other_at_a_barrier():
+    out, counts = np.zeros((2, 7, 8), np.int32)
+    launch(turn_block, (8, 8), out, counts)
+    np.testing.assert_array_equal(out, np.arange(56).reshape(7, 8)[::-1, ::-1])
+    assert (counts == 3 * 7).all()
+
+
+@pytest.mark.parametrize("races", [False, True])
+def test_a_thread_that_fails_ends_the_kernel(races):
+    out, before = np.zeros((8, 8), np.int32), active_count()
+    with pytest.raises(ValueError, match="too far"):
+        launch(fail, (8, 8), out, races=races)
+    assert not out.any()
+    assert races or active_count() == before
