@@ -1,11 +1,13 @@
 """The site, by ``make docs``; its source is the repository, so that pages stay where they are."""
 
+import os
 import re
 from pathlib import Path
 
 import numba
 from sphinx.errors import ExtensionError
 
+os.environ.setdefault("GOMP_SPINCOUNT", "3000")  # threads of notebooks sleep while they wait
 numba.config.DISABLE_JIT = True  # formulae as the functions they were written as, with docstrings
 
 import stylit_ref  # noqa: E402
