@@ -1,8 +1,8 @@
 """How Numba's simulator runs the threads of a block.
 
-Its own way is a thread of Python for each of them, all at once, which it asks in a loop whether they
-are done. Here one follows another, which takes a third of the time. Their order is shuffled, the
-same way in each process: a kernel whose result depends on it is found out.
+Its own way is a thread of Python for each of them, all at once, which it asks in a loop whether
+they are done. Here one follows another, which takes a third of the time. Their order is shuffled,
+the same way in each process: a kernel whose result depends on it is found out.
 """
 
 import random

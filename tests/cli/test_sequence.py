@@ -215,7 +215,8 @@ def test_turned_files_of_pairs_are_followed_through_frames_that_are_left_out(sho
     flow = np.tile(np.float32([1, 0]), (*frames[0][0].shape[:2], 1))
     ids = "--ids", f"{folder}/ids.%d.png", "--frames", "1,3"
     for frame in (1, 2, 3):
-        write_image(folder / f"ids.{frame}.png", np.uint8(50 * (frames[frame - 1][0][..., :1] > 99)))
+        things = frames[frame - 1][0][..., :1] > 99
+        write_image(folder / f"ids.{frame}.png", np.uint8(50 * things))
     for frame in (1, 2):
         write_flo(folder / f"{frame}_to_{frame + 1}.flo", flow)
         write_flo(folder / f"ahead.{frame}.flo", flow)

@@ -57,7 +57,8 @@ class FramePattern:
         """The name with numbers as wide as on the disk; None if no file has such a name either."""
         widths = {len(each) for *_, numbers in self._on_disk() for each in numbers}
         texts = [f"%0{width}d".join(self._between) for width in sorted(widths - {1}, reverse=True)]
-        found = {text: FramePattern(text).count_files() for text in ("%d".join(self._between), *texts)}
+        texts.insert(0, "%d".join(self._between))
+        found = {text: FramePattern(text).count_files() for text in texts}
         most = max(found, key=found.__getitem__)
         return most if found[most] else None
 
