@@ -8,6 +8,7 @@ the same way in each process: a kernel whose result depends on it is found out.
 import random
 from collections.abc import Iterator
 from contextlib import contextmanager
+from functools import partial
 from threading import Semaphore
 
 import numpy as np
@@ -37,27 +38,31 @@ class _Block:
     def run(self, grid_point, *arguments):
         places = list(np.ndindex(*self._block_dim))
         random.Random(repr(grid_point)).shuffle(places)
-        left = iter(places)
-        workers, waiting = [], []
+        call, workers = partial(self._kernel, *arguments), []
+        try:
+            self._run(partial(_Worker, self, grid_point, iter(places), call), workers)
+        finally:  # a thread has failed, or somebody interrupts, or all are done
+            for worker in workers:
+                worker.abort = True
+                worker.goes_on.release()
+                worker.join()
+
+    def _run(self, make_worker, workers):
+        waiting = []
         while not workers or waiting[-1:] == workers[-1:]:  # the last one waits at a barrier
-            worker = _Worker(self, grid_point, left, lambda: self._kernel(*arguments))
-            workers.append(worker)
-            worker.start()
-            waiting += self._waited_for(worker, workers)
+            workers.append(make_worker())
+            workers[-1].start()
+            waiting += self._waited_for(workers[-1])
         while waiting:
             now, waiting = waiting, []
             for worker in now:
                 worker.goes_on.release()
-                waiting += self._waited_for(worker, workers)
+                waiting += self._waited_for(worker)
 
-    def _waited_for(self, worker, workers):
+    def _waited_for(self, worker):
         """The worker, once it has come to a barrier; nothing, once it has come to the end."""
         self._turn.acquire()
         if worker.exception:
-            for other in workers:
-                other.abort = True
-                other.goes_on.release()
-                other.join()
             raise worker.exception
         return [] if worker.is_done else [worker]
 
@@ -76,6 +81,8 @@ class _Worker(simulator.BlockThread):
     def run(self):
         try:
             for place in self._places:
+                if self.abort:
+                    break
                 self.threadIdx = Dim3(*place)  # what a kernel asks its thread of Python for
                 self._call()
         except Exception as error:
@@ -87,4 +94,4 @@ class _Worker(simulator.BlockThread):
         self._manager._turn.release()
         self.goes_on.acquire()
         if self.abort:
-            raise RuntimeError("another thread of the block has failed")
+            raise RuntimeError("the kernel has been given up")

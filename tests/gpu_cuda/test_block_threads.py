@@ -1,5 +1,7 @@
 """In the simulator the threads of a block follow each other in a shuffled order."""
 
+import os
+import signal
 from threading import active_count
 
 import numpy as np
@@ -42,6 +44,20 @@ def fail(out):
     out[y, x] = 1
 
 
+def press_ctrl_c():
+    os.kill(os.getpid(), signal.SIGINT)
+
+
+@cuda.jit
+def interrupt(out):
+    x, y = cuda.grid(2)
+    cuda.syncthreads()
+    if not out.any():
+        press_ctrl_c()
+    for _ in range(100_000):
+        out[y, x] += 1
+
+
 def arrivals():
     order, count = np.full(SIZE[0] * SIZE[1], -1), np.zeros(1, np.int64)
     launch(arrive, SIZE, order, count)
@@ -60,6 +76,15 @@ def test_threads_wait_for_each_other_at_a_barrier():
     launch(turn_block, (8, 8), out, counts)
     np.testing.assert_array_equal(out, np.arange(56).reshape(7, 8)[::-1, ::-1])
     assert (counts == 3 * 7).all()
+
+
+def test_an_interruption_leaves_no_thread_behind():
+    before = active_count()
+    out = np.zeros((8, 8))
+    with pytest.raises(KeyboardInterrupt):
+        launch(interrupt, (8, 8), out)
+    assert active_count() == before
+    assert not out.all()
 
 
 @pytest.mark.parametrize("races", [False, True])
