@@ -2,7 +2,7 @@
 
 Its own way is a thread of Python for each of them, all at once, which it asks in a loop whether
 they are done. Here one follows another, which takes a third of the time. Their order is shuffled,
-the same way in each process: a kernel whose result depends on it is found out.
+the same way in each process: a kernel whose result depends on it is likely to be found out.
 """
 
 import random
@@ -62,7 +62,7 @@ class _Block:
     def _waited_for(self, worker):
         """The worker, once it has come to a barrier; nothing, once it has come to the end."""
         self._turn.acquire()
-        if worker.exception:
+        if worker.exception is not None:
             raise worker.exception
         return [] if worker.is_done else [worker]
 
@@ -84,8 +84,10 @@ class _Worker(simulator.BlockThread):
                 if self.abort:
                     break
                 self.threadIdx = Dim3(*place)  # what a kernel asks its thread of Python for
+                self.thread_id = np.ravel_multi_index(place[::-1], self._manager._block_dim[::-1])
                 self._call()
-        except Exception as error:
+        except BaseException as error:
+            error.add_note(f"in the thread {tuple(self.threadIdx)} of the block {self.blockIdx}")
             self.exception = error
         self.is_done = True
         self._manager._turn.release()

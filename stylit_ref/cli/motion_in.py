@@ -27,7 +27,7 @@ from stylit_ref.views.params import SEQUENTIAL
 _BESIDE = "motion_depth", "motion_ids"
 
 _NEEDED = "; --motion needs a file that leads from each frame to the one before it"
-_OR_TURNED = ", or for all of them the files that lead the other way"
+_OR_TURNED = "; files of one direction alone are turned around, if there is none of the other"
 _TURNED = (
     "has files that all lead the same way; they are turned around for the other, which is less "
     "exact at silhouettes"

@@ -189,7 +189,7 @@ def _field_before(
     field = read_any_field(path)
     if not isinstance(field, RealtimeField):
         is_bare = field.patch_width is None
-        why = "no longer says which run it is of" if is_bare else "is of a run of another method"
+        why = "does not say which run it is of" if is_bare else "is of a run of another method"
         raise InputError(
             f"{path}: {why}; name what --method realtime wrote with --nnf, as it was written",
             parameter="warm_start",

@@ -37,7 +37,7 @@ def read_arrays(path: str | Path, make: Callable[[NDArray[Any], list[NDArray[Any
     check_regular(real_path(path))
     try:
         with open(path, "rb") as file:
-            if file.read(len(MAGIC_PREFIX)) != MAGIC_PREFIX:
+            if not MAGIC_PREFIX.startswith(file.read(len(MAGIC_PREFIX))):
                 raise ValueError("it is a file of another kind")
         # Mapping the file checks that it is as long as its header says, before memory is taken.
         mapped = np.lib.format.open_memmap(path, mode="r")

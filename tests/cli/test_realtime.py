@@ -190,7 +190,7 @@ def test_a_start_that_has_lost_the_facts_of_its_run_is_refused(folders, capsys):
     assert call(folders, "--nnf", folders / "nnf.npy", "--quiet") == 0
     np.save(folders / "nnf.npy", np.load(folders / "nnf.npy"))
     message = refused(capsys, call(folders, "--warm-start", folders / "nnf.npy"))
-    assert "nnf.npy: no longer says which run it is of; name what --method realtime" in message
+    assert "nnf.npy: does not say which run it is of; name what --method realtime" in message
 
 
 def test_buffers_without_ids_are_told(folders, capsys):

@@ -184,7 +184,7 @@ def test_the_files_of_pairs_that_are_needed_are_told(shot, capsys, order, both):
     flags = "--motion", f"{folder}/%d_to_%d.flo", "--order", order
     needed = "from each frame to the one before it" + " and to the one after it" * both
     assert f"{folder}/3_to_2.flo" in (message := refused(capsys, sequence(folder, *flags)))
-    assert f"--motion needs a file that leads {needed}, or for all of them the files" in message
+    assert f"--motion needs a file that leads {needed}; files of one direction alone are" in message
 
 
 def test_files_of_pairs_that_lead_ahead_only_are_turned_around(shot, capsys):

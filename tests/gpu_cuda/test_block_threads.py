@@ -2,13 +2,16 @@
 
 import os
 import signal
-from threading import active_count
+from threading import active_count, current_thread
 
 import numpy as np
 import pytest
 from numba import cuda
 
 from gpu_cuda.host.device import SIMULATED, launch
+
+if SIMULATED:
+    from numba.cuda.simulator.kernel import BlockThread
 
 pytestmark = pytest.mark.skipif(not SIMULATED, reason="a GPU has threads of its own")
 
@@ -33,6 +36,17 @@ def turn_block(out, counts):
     cuda.syncthreads()
     counts[y, x] = cuda.syncthreads_count(x < 3)
     out[y, x] = shared[6 - y, 7 - x]
+
+
+@cuda.jit
+def carry(out):
+    x, y = cuda.grid(2)
+    out[y, x] = out[y, x - 1] + 1 if x else 1
+
+
+@cuda.jit
+def ask(kinds):
+    kinds.append(type(current_thread()))
 
 
 @cuda.jit
@@ -67,7 +81,9 @@ def arrivals():
 def test_each_thread_runs_once_in_a_shuffled_order_that_stays():
     order = arrivals()
     assert sorted(order) == list(range(SIZE[0] * SIZE[1]))
-    assert order != sorted(order)
+    first = [(n % SIZE[1], n // SIZE[1]) for n in order if n % SIZE[1] < 8]
+    assert sorted(first) != first
+    assert sorted(first, key=lambda place: place[::-1]) != first
     assert arrivals() == order
 
 
@@ -76,6 +92,25 @@ def test_threads_wait_for_each_other_at_a_barrier():
     launch(turn_block, (8, 8), out, counts)
     np.testing.assert_array_equal(out, np.arange(56).reshape(7, 8)[::-1, ::-1])
     assert (counts == 3 * 7).all()
+
+
+def test_a_result_that_depends_on_the_order_is_found_out():
+    out = np.zeros((8, 8), np.int32)
+    launch(carry, (8, 8), out)
+    assert (out != np.arange(1, 9)).any()
+
+
+def test_threads_that_race_are_those_of_the_simulator():
+    def kinds(**how):
+        found = []
+        launch(ask, (8, 8), found, **how)
+        return set(found)
+
+    assert kinds(races=True) == {BlockThread}
+    assert BlockThread not in kinds()
+    with pytest.raises(ValueError, match="too far"):
+        launch(fail, (8, 8), np.zeros((8, 8)))
+    assert kinds(races=True) == {BlockThread}
 
 
 def test_an_interruption_leaves_no_thread_behind():
