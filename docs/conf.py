@@ -7,7 +7,8 @@ from pathlib import Path
 import numba
 from sphinx.errors import ExtensionError
 
-os.environ.setdefault("GOMP_SPINCOUNT", "3000")  # threads of notebooks sleep while they wait
+# Threads of notebooks sleep while they wait. sleep_while_waiting() would undo the line below.
+os.environ.setdefault("GOMP_SPINCOUNT", "3000")
 numba.config.DISABLE_JIT = True  # formulae as the functions they were written as, with docstrings
 
 import stylit_ref  # noqa: E402

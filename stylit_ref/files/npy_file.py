@@ -39,9 +39,8 @@ def read_arrays(path: str | Path, make: Callable[[NDArray[Any], list[NDArray[Any
         with open(path, "rb") as file:
             if not MAGIC_PREFIX.startswith(file.read(len(MAGIC_PREFIX))):
                 raise ValueError("it is a file of another kind")
-        # Mapping the file checks that it is as long as its header says, before memory is taken.
-        mapped = np.lib.format.open_memmap(path, mode="r")
-        with open(path, "rb") as file:
+            # Mapping the file checks that it is as long as its header says, before memory is taken.
+            mapped = np.lib.format.open_memmap(path, mode="r")
             file.seek(mapped.offset + mapped.nbytes)
             rest = io.BytesIO(file.read())
         others = []
